@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cassert>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "error.h"
+
+namespace pyrasim {
+namespace {
+
+constexpr std::size_t buffer_bytes = 65536;
+constexpr mode_t new_file_mode = 0666;  // less the user's umask
+
+/// The name that the kernel keeps for an open file, by which a nameless one can be given a name.
+std::string descriptor_name(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
+/// Calls `create` with names in `folder` until one is not taken; it returns a negative number and sets errno on
+/// failure. Returns the name; empty, with errno set, where it failed for another reason.
+template <typename Create>
+std::filesystem::path with_temporary_name(const std::filesystem::path& folder, Create create) {
+  for (unsigned attempt = 0;; ++attempt) {
+    std::filesystem::path name = folder / fmt::format(".pyrasim-{}-{}.tmp", getpid(), attempt);
+    if (create(name.c_str()) >= 0) return name;
+    if (errno != EEXIST) return {};
+  }
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), target_(path_) {
+  struct stat status {};
+  if (stat(path_.c_str(), &status) != 0) {
+    if (errno != ENOENT) fail(errno);
+    if (!path_.has_filename()) fail(path_.empty() ? ENOENT : EISDIR);
+    open_temporary();
+    return;
+  }
+  if (S_ISDIR(status.st_mode)) fail(EISDIR);
+  if (!S_ISREG(status.st_mode)) {
+    open_direct();
+    return;
+  }
+  if (access(path_.c_str(), W_OK) != 0) fail(errno);
+  std::error_code unresolved;
+  target_ = std::filesystem::canonical(path_, unresolved);
+  if (unresolved) fail(unresolved.value());
+  open_temporary();
+  // A file that is replaced keeps its permissions where the system lets it.
+  [[maybe_unused]] const int ignored = fchmod(descriptor_, status.st_mode & 07777U);
+}
+
+OutputFile::~OutputFile() { close(); }
+
+void OutputFile::write(std::string_view bytes) {
+  assert(descriptor_ >= 0 && "written after commit");
+  buffer_.append(bytes);
+  if (buffer_.size() >= buffer_bytes) flush();
+}
+
+void OutputFile::commit() {
+  assert(descriptor_ >= 0 && "committed twice");
+  flush();
+  if (!direct_) {
+    if (temporary_.empty()) {
+      temporary_ = with_temporary_name(folder_of(target_), [this](const char* name) {
+        return linkat(AT_FDCWD, descriptor_name(descriptor_).c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
+      });
+      if (temporary_.empty()) fail(errno);
+    }
+    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    temporary_.clear();
+  }
+  const int descriptor = std::exchange(descriptor_, -1);
+  if (::close(descriptor) != 0) fail(errno);
+}
+
+void OutputFile::open_direct() {
+  direct_ = true;
+  descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (descriptor_ < 0) fail(errno);
+}
+
+/// A nameless file is preferred: it leaves nothing behind however the program ends.
+void OutputFile::open_temporary() {
+  const std::filesystem::path folder = folder_of(target_);
+  descriptor_ = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, new_file_mode);
+  if (descriptor_ >= 0 && access(descriptor_name(descriptor_).c_str(), F_OK) == 0) return;
+  close();
+  temporary_ = with_temporary_name(folder, [this](const char* name) {
+    return descriptor_ = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, new_file_mode);
+  });
+  if (descriptor_ < 0) fail(errno);
+}
+
+void OutputFile::flush() {
+  std::string_view rest = buffer_;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno != EINTR) fail(errno);
+    if (written > 0) rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  buffer_.clear();
+}
+
+void OutputFile::close() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+  descriptor_ = -1;
+  temporary_.clear();
+}
+
+void OutputFile::fail(int error_number) const {
+  throw RunError(fmt::format("{}: cannot write: {}", path_.string(), std::generic_category().message(error_number)));
+}
+
+}  // namespace pyrasim

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace pyrasim {
+
+/// A file that appears under its name only when it is complete.
+///
+/// What is written goes to a nameless or temporary file in the same folder; commit() gives it its name, replacing what
+/// stood there. Without commit() nothing changes. A device or a pipe (`/dev/null`) is written to directly.
+class OutputFile {
+ public:
+  /// Opens the output, so that one that cannot be written is known before the work begins.
+  /// Throws RunError "PATH: cannot write: reason".
+  explicit OutputFile(std::filesystem::path path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Appends `bytes`. Throws RunError, as the constructor does.
+  void write(std::string_view bytes);
+
+  /// Completes the file; nothing may be written afterwards. Throws RunError, as the constructor does.
+  void commit();
+
+  /// The name as given to the constructor.
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void open_direct();
+  void open_temporary();
+  void flush();
+  void close();
+  [[noreturn]] void fail(int error_number) const;
+
+  std::filesystem::path path_;
+  std::filesystem::path target_;     // path_ with symbolic links followed
+  std::filesystem::path temporary_;  // empty where the file has no name yet, or is written to directly
+  std::string buffer_;
+  int descriptor_ = -1;
+  bool direct_ = false;
+};
+
+}  // namespace pyrasim

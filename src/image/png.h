@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "image/image.h"
+
+namespace pyrasim {
+
+/// How samples are stored in a PNG file.
+struct PngFormat {
+  int bits = 8;      // per sample: 8 or 16
+  bool srgb = true;  // sRGB signal, stated by an sRGB chunk; else linear intensity, stated by a gAMA chunk of 1
+};
+
+/// Keyword and text of a PNG file's text chunks: Software, Comment. Text is UTF-8.
+using TextChunks = std::vector<std::pair<std::string, std::string>>;
+
+/// Throws UsageError where `format` is not one that PNG has.
+void check_png_format(const PngFormat& format);
+
+/// The bytes of `image` as PNG. Samples are clamped to 0..1, not-a-number becoming 0, and rounded to nearest.
+/// Throws UsageError for a bad format, RunError where the PNG library refuses the picture.
+std::string encode_png(const Image& image, const PngFormat& format = {}, const TextChunks& text = {});
+
+/// Reads any PNG file as linear RGB: grey and palettes are expanded, alpha is dropped. Samples are taken as sRGB unless
+/// the file has a gAMA chunk and no sRGB or iCCP chunk. Throws InputError "FILE: what is wrong".
+Image read_png(const std::filesystem::path& file);
+
+}  // namespace pyrasim
