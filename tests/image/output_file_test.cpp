@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include "error.h"
+#include "temporary_folder.h"
+
+namespace pyrasim {
+namespace {
+
+using OutputFileTest = TemporaryFolder;
+
+TEST_F(OutputFileTest, appears_when_committed) {
+  OutputFile file(in_folder("a.txt"));
+  file.write("one ");
+  file.write("two");
+  EXPECT_FALSE(std::filesystem::exists(in_folder("a.txt")));
+  file.commit();
+  EXPECT_EQ(contents(in_folder("a.txt")), "one two");
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(OutputFileTest, more_than_the_buffer_arrives_whole) {
+  std::string expected;
+  {
+    OutputFile file(in_folder("big"));
+    for (int i = 0; i < 50000; ++i) {
+      const std::string line = std::to_string(i) + "\n";
+      file.write(line);
+      expected += line;
+    }
+    file.commit();
+  }
+  EXPECT_EQ(contents(in_folder("big")), expected);
+}
+
+TEST_F(OutputFileTest, leaves_nothing_when_not_committed) {
+  { OutputFile(in_folder("a.txt")).write(std::string(100000, 'x')); }
+  EXPECT_EQ(entries(), 0);
+}
+
+TEST_F(OutputFileTest, keeps_the_old_file_until_committed) {
+  put(in_folder("a.txt"), "old");
+  { OutputFile(in_folder("a.txt")).write("new"); }
+  EXPECT_EQ(contents(in_folder("a.txt")), "old");
+  OutputFile file(in_folder("a.txt"));
+  file.write("new");
+  EXPECT_EQ(contents(in_folder("a.txt")), "old");
+  file.commit();
+  EXPECT_EQ(contents(in_folder("a.txt")), "new");
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(OutputFileTest, replaced_file_keeps_its_permissions) {
+  put(in_folder("a.txt"), "old");
+  std::filesystem::permissions(in_folder("a.txt"), std::filesystem::perms(0640));
+  OutputFile(in_folder("a.txt")).commit();
+  EXPECT_EQ(std::filesystem::status(in_folder("a.txt")).permissions(), std::filesystem::perms(0640));
+}
+
+TEST_F(OutputFileTest, new_file_obeys_the_umask) {
+  const mode_t before = umask(027);
+  OutputFile(in_folder("a.txt")).commit();
+  umask(before);
+  EXPECT_EQ(std::filesystem::status(in_folder("a.txt")).permissions(), std::filesystem::perms(0640));
+}
+
+TEST_F(OutputFileTest, follows_a_symbolic_link) {
+  put(in_folder("real"), "old");
+  std::filesystem::create_symlink("real", in_folder("link"));
+  OutputFile file(in_folder("link"));
+  file.write("new");
+  file.commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(in_folder("link")));
+  EXPECT_EQ(contents(in_folder("real")), "new");
+}
+
+TEST_F(OutputFileTest, several_in_one_folder_do_not_disturb_each_other) {
+  OutputFile first(in_folder("1"));
+  OutputFile second(in_folder("2"));
+  first.write("first");
+  second.write("second");
+  first.commit();
+  second.commit();
+  EXPECT_EQ(contents(in_folder("1")), "first");
+  EXPECT_EQ(contents(in_folder("2")), "second");
+}
+
+TEST_F(OutputFileTest, missing_folder_is_known_at_once) {
+  const std::filesystem::path path = in_folder("none") / "a.txt";
+  EXPECT_EQ(message_of<RunError>([&] { OutputFile file(path); }),
+            path.string() + ": cannot write: No such file or directory");
+}
+
+TEST_F(OutputFileTest, folder_is_not_a_file) {
+  EXPECT_EQ(message_of<RunError>([&] { OutputFile file(folder_); }),
+            folder_.string() + ": cannot write: Is a directory");
+  EXPECT_EQ(message_of<RunError>([&] { OutputFile file(in_folder("none") / ""); }),
+            (in_folder("none") / "").string() + ": cannot write: Is a directory");
+  EXPECT_EQ(message_of<RunError>([] { OutputFile file(""); }), ": cannot write: No such file or directory");
+}
+
+TEST_F(OutputFileTest, unwritable_folder_and_file_are_known_at_once) {
+  EXPECT_THROW(OutputFile("/proc/a.txt"), RunError);
+  if (geteuid() == 0) return;  // the superuser may write the rest
+  put(in_folder("a.txt"), "old");
+  std::filesystem::permissions(in_folder("a.txt"), std::filesystem::perms(0444));
+  EXPECT_THROW(OutputFile(in_folder("a.txt")), RunError);
+  std::filesystem::permissions(folder_, std::filesystem::perms(0555));
+  EXPECT_THROW(OutputFile(in_folder("b.txt")), RunError);
+  std::filesystem::permissions(folder_, std::filesystem::perms(0755));
+}
+
+TEST(OutputFile, devices_are_written_directly) {
+  OutputFile file("/dev/null");
+  file.write("gone");
+  file.commit();
+  struct stat status {};
+  ASSERT_EQ(stat("/dev/null", &status), 0);
+  EXPECT_TRUE(S_ISCHR(status.st_mode));
+}
+
+TEST(OutputFile, full_device_is_an_error) {
+  OutputFile file("/dev/full");
+  file.write("x");
+  EXPECT_EQ(message_of<RunError>([&] { file.commit(); }), "/dev/full: cannot write: No space left on device");
+}
+
+}  // namespace
+}  // namespace pyrasim
