@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ostream>
 
 #include "error.h"
 #include "image/srgb.h"
@@ -11,6 +12,12 @@
 #include "temporary_folder.h"
 
 namespace pyrasim {
+
+/// How GoogleTest names a format; without it, by its bytes, padding included.
+void PrintTo(const PngFormat& format, std::ostream* stream) {
+  *stream << (format.srgb ? "sRGB, " : "linear, ") << format.bits << " bits";
+}
+
 namespace {
 
 using PngTest = TemporaryFolder;
