@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/decoupled_engine.h"
+
+namespace pyrasim::hw {
+
+DecoupledEngine::DecoupledEngine(const std::vector<Stage*>& stages, ViewVectorGenerator& generator,
+                                 SubdivisionController* controller, Cycle round_trip, Cycle request_latency)
+    : generator_(generator), controller_(controller), round_trip_(round_trip), request_latency_(request_latency) {
+  for (Stage* stage : stages) {
+    stage->attach(&work_);
+    stage->wake();
+  }
+}
+
+void DecoupledEngine::run() {
+  for (;;) {
+    work_.run();
+    const Start generator = generator_.next();
+    const Cycle controller = controller_date();
+    if (controller == never && !generator.known()) return;
+    if (controller <= generator.at()) {
+      controller_->Stage::fire(controller_->next());
+    } else {
+      run_generator(generator);
+    }
+  }
+}
+
+void DecoupledEngine::run_generator(const Start& first) {
+  const Cycle echo = first.at() + round_trip_;
+  Start start = first;
+  do {
+    generator_.Stage::fire(start);
+    if (!generator_.sees_next_corner()) return;
+    start = generator_.next();
+  } while (start.known() && start.at() < std::min(echo, controller_date()) + request_latency_);
+}
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hw_model/machine_spec.h"
+#include "hw_model/message.h"
+#include "hw_model/stage.h"
+#include "image/image.h"
+#include "render/parallel.h"
+
+namespace pyrasim::hw {
+
+/// Stores finished pixels, in whatever order they come.
+class FrameBuffer final : public StageOf<FrameBuffer> {
+ public:
+  FifoPort<PixelMessage> tree_accumulator{"tree_accumulator"};
+
+  FrameBuffer(const sc_core::sc_module_name& name, StageTiming timing, int columns, int rows, Progress progress);
+
+  Start next() override { return Start(ready()).needs_token(tree_accumulator); }
+  void fire(Cycle now) override;
+
+  const Image& image() const { return image_; }
+  bool complete() const { return stored_ == image_.pixels().size(); }
+
+ private:
+  StageTiming timing_;
+  Image image_;
+  std::size_t stored_ = 0;
+  Progress progress_;
+};
+
+}  // namespace pyrasim::hw

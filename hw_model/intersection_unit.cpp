@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/intersection_unit.h"
+
+namespace pyrasim::hw {
+
+IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, Cycle latency, const IntersectionCost& cost,
+                                   const Datapath& datapath)
+    : StageOf(name), latency_(latency), cost_(cost), datapath_(datapath) {}
+
+Start IntersectionUnit::next() {
+  return Start(ready()).needs_token(view_vector_generator).needs_room(pyramid_classifier);
+}
+
+void IntersectionUnit::fire(Cycle now) {
+  const RayMessage ray = view_vector_generator->read(now);
+  Work work;
+  const Sample sample = datapath_.trace(ray.view_vector, work);
+  work_ += work;
+  const Cycle occupied = occupancy(work);
+  pyramid_classifier->write({sample, ray.tag, ray.subdivision}, now, occupied - 1 + latency_);
+  occupy(now, occupied);
+}
+
+Cycle IntersectionUnit::occupancy(const Work& work) const {
+  Cycle cycles = cost_.ray + cost_.box_test * work.box_tests;
+  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+    cycles += cost_.surface_test[kind] * work.surface_tests[kind];
+  }
+  return cycles;
+}
+
+}  // namespace pyrasim::hw

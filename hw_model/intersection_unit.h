@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hw_model/machine_spec.h"
+#include "hw_model/message.h"
+#include "hw_model/stage.h"
+#include "trace/datapath.h"
+
+namespace pyrasim::hw {
+
+/// Finds the nearest hit of one ray after the other. A ray occupies the unit for as long as its work takes: the cost of
+/// its box tests and surface tests as the algorithm counted them. The cell for the result is taken when the ray starts.
+class IntersectionUnit final : public StageOf<IntersectionUnit> {
+ public:
+  FifoPort<RayMessage> view_vector_generator{"view_vector_generator"};
+  FifoPort<SampleMessage> pyramid_classifier{"pyramid_classifier"};
+
+  IntersectionUnit(const sc_core::sc_module_name& name, Cycle latency, const IntersectionCost& cost,
+                   const Datapath& datapath);
+
+  Start next() override;
+  void fire(Cycle now) override;
+  const Work& work() const { return work_; }
+
+ private:
+  Cycle occupancy(const Work& before) const;
+
+  Cycle latency_;
+  IntersectionCost cost_;
+  const Datapath& datapath_;
+  Work work_;
+};
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The settings of a machine: what a machine file says, with defaults filled in and checked.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hw_model/cycle.h"
+#include "trace/surface.h"
+
+namespace pyrasim::hw {
+
+/// The timing of one stage, in cycles; both at least 1.
+struct StageTiming {
+  Cycle latency = 1;   ///< from a firing to its result being visible to the reader
+  Cycle interval = 1;  ///< from a firing to the next (initiation interval)
+};
+
+/// What a ray costs an intersection unit, in cycles: the unit is occupied for the sum over the ray's work.
+struct IntersectionCost {
+  Cycle ray = 1;  ///< for every ray
+  Cycle box_test = 1;
+  std::array<Cycle, surface_kinds> surface_test{2, 1, 3};  ///< by SurfaceKind
+};
+
+/// Depths of the FIFOs, in tokens: one name for each kind of arrow in the block diagram.
+struct FifoDepths {
+  std::size_t pixel_scan_to_view_vector_generator = 4;
+  std::size_t view_vector_generator_to_intersection_unit = 8;
+  std::size_t intersection_unit_to_pyramid_classifier = 8;
+  std::size_t pyramid_classifier_to_subdivision_controller = 8;
+  std::size_t subdivision_controller_to_view_vector_generator = 8;
+  std::size_t subdivision_controller_to_pyramid_classifier = 32;
+  std::size_t pyramid_classifier_to_tree_accumulator = 8;
+  std::size_t tree_accumulator_to_frame_buffer = 8;
+};
+
+/// A machine. Immutable once loaded; see docs/machine.md for what each number means.
+struct MachineSpec {
+  std::string name = "default";
+  double clock_mhz = 200;
+  double goal_fps = 30;  ///< the frame rate that makes the cycle budget
+  StageTiming pixel_scan;
+  StageTiming view_vector_generator{.latency = 4};
+  std::size_t intersection_units = 4;
+  Cycle intersection_latency = 8;  ///< from the end of a ray's occupancy to its result being visible
+  IntersectionCost intersection_cost;
+  StageTiming pyramid_classifier{.latency = 2};
+  StageTiming subdivision_controller{.latency = 2};
+  std::size_t subdivision_pool = 64;  ///< subpixels that the controller can hold for subdivision
+  StageTiming tree_accumulator{.latency = 2};
+  std::size_t pixels_in_flight = 256;  ///< trace trees that the accumulator can sum at once
+  StageTiming frame_buffer;
+  FifoDepths fifos;
+
+  /// Cycles that a frame may take at the goal's frame rate.
+  Cycle budget() const { return static_cast<Cycle>(clock_mhz * 1e6 / goal_fps); }
+};
+
+/// The least `subdivision_pool` that cannot deadlock: one pixel's tree, released depth first, holds at most
+/// 3 (MAX_LEVEL - 1) + 1 pending subpixels. 0 up to MAX_LEVEL 1, where no subpixel is subdivided.
+constexpr std::size_t required_pool(int max_level) {
+  return max_level < 2 ? 0 : 3 * (static_cast<std::size_t>(max_level) - 1) + 1;
+}
+
+/// Reads `file`, or takes the default machine where there is none, applies `overrides` ("intersection.units=4", as
+/// --set gives them), and validates. Throws InputError for the file (with the JSON pointer), UsageError for an
+/// override.
+MachineSpec load_machine(const std::optional<std::filesystem::path>& file,
+                         const std::vector<std::string>& overrides = {});
+
+/// Throws InputError where the machine cannot hold one pixel's tree of `max_level`.
+void check_machine_holds(const MachineSpec& spec, int max_level);
+
+}  // namespace pyrasim::hw

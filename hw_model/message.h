@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// What travels between the stages. All are trivially copyable.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "pyramid/pyramid.h"
+#include "pyramid/terminal_color.h"
+
+namespace pyrasim::hw {
+
+inline constexpr std::uint32_t no_pixel = 0xFFFFFFFFU;
+
+/// A pixel in flight.
+struct PixelTag {
+  std::uint32_t pixel = no_pixel;  ///< row * columns + column
+  std::uint32_t slot = 0;          ///< of the tree accumulator, where its trace tree is summed
+};
+
+/// A free slot of the tree accumulator.
+struct SlotCredit {
+  std::uint32_t slot;
+};
+
+/// A corner of the pixel raster. `tag` names the pixel that it completes; the first row and column complete none.
+struct CornerRequest {
+  GridPoint point;
+  PixelTag tag;
+};
+
+/// A case-3 pyramid to be split by five rays.
+struct SubdivisionRequest {
+  Pyramid pyramid;
+};
+
+struct RayMessage {
+  glm::dvec3 view_vector;
+  PixelTag tag;      ///< meaningful for corners
+  bool subdivision;  ///< false: a corner of the raster
+};
+
+struct SampleMessage {
+  Sample sample;
+  PixelTag tag;
+  bool subdivision;
+};
+
+/// A case-3 pyramid with what its corners saw: to the controller for subdivision, and from it back to the classifier,
+/// which needs the corners again when the five samples arrive.
+struct NodeMessage {
+  Pyramid pyramid;
+  PixelTag tag;
+  CornerSamples corners;
+  bool subdivide = true;       ///< false: nothing to subdivide, the message only closes a family
+  bool closes_family = false;  ///< the last message about the four subpixels of one request
+};
+
+struct TerminalMessage {
+  FixedColor color;
+  PixelTag tag;
+  std::uint32_t level;
+};
+
+struct PixelMessage {
+  std::uint32_t pixel;
+  glm::vec3 color;
+};
+
+}  // namespace pyrasim::hw

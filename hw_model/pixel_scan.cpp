@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/pixel_scan.h"
+
+namespace pyrasim::hw {
+
+PixelScan::PixelScan(const sc_core::sc_module_name& name, StageTiming timing, const Screen& screen, int max_level)
+    : StageOf(name),
+      timing_(timing),
+      rows_(static_cast<std::uint32_t>(screen.rows)),
+      columns_(static_cast<std::uint32_t>(screen.columns)),
+      max_level_(max_level) {}
+
+Start PixelScan::next() {
+  if (row_ > rows_) return Start(never);
+  Start start(ready());
+  if (completes_pixel()) start.needs_token(tree_accumulator);
+  return start.needs_room(view_vector_generator);
+}
+
+void PixelScan::fire(Cycle now) {
+  PixelTag tag;
+  if (completes_pixel()) tag = {(row_ - 1) * columns_ + column_ - 1, tree_accumulator->read(now).slot};
+  view_vector_generator->write({{row_ << max_level_, column_ << max_level_}, tag}, now, timing_.latency);
+  if (++column_ > columns_) {
+    column_ = 0;
+    ++row_;
+  }
+  occupy(now, timing_.interval);
+}
+
+}  // namespace pyrasim::hw

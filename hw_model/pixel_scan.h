@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hw_model/machine_spec.h"
+#include "hw_model/message.h"
+#include "hw_model/stage.h"
+#include "scene/scene.h"
+
+namespace pyrasim::hw {
+
+/// Walks the (N_y + 1) x (N_z + 1) corners of the screen in raster order. A corner that completes a pixel (its lower
+/// right one) takes a free slot of the tree accumulator first: so many pixels are in flight at most.
+class PixelScan final : public StageOf<PixelScan> {
+ public:
+  FifoPort<SlotCredit> tree_accumulator{"tree_accumulator"};
+  FifoPort<CornerRequest> view_vector_generator{"view_vector_generator"};
+
+  PixelScan(const sc_core::sc_module_name& name, StageTiming timing, const Screen& screen, int max_level);
+
+  Start next() override;
+  void fire(Cycle now) override;
+
+ private:
+  bool completes_pixel() const { return row_ > 0 && column_ > 0; }
+
+  StageTiming timing_;
+  std::uint32_t rows_;
+  std::uint32_t columns_;
+  int max_level_;
+  std::uint32_t row_ = 0;  ///< of corners, 0 to rows_
+  std::uint32_t column_ = 0;
+};
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/processor.h"
+
+#include <fmt/format.h>
+
+namespace pyrasim::hw {
+namespace {
+
+MachineSpec checked(const MachineSpec& spec, const SimulationOptions& options) {
+  check_machine_holds(spec, options.max_level);
+  return spec;
+}
+
+}  // namespace
+
+Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, const MachineSpec& spec,
+                     const SimulationOptions& options)
+    : sc_module(name),
+      spec_(checked(spec, options)),
+      datapath_(make_datapath(scene, std::int64_t{1} << options.max_level, options.scalar)),
+      contents_(datapath_->contents()),
+      pixel_scan_("pixel_scan", spec.pixel_scan, scene.camera.screen, options.max_level),
+      view_vector_generator_("view_vector_generator", spec.view_vector_generator, spec.intersection_units, *datapath_,
+                             options.max_level),
+      pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, scene, options.leaf,
+                          options.max_level),
+      tree_accumulator_("tree_accumulator", spec.tree_accumulator, spec.pixels_in_flight, options.max_level),
+      frame_buffer_("frame_buffer", spec.frame_buffer, scene.camera.screen.columns, scene.camera.screen.rows,
+                    options.progress) {
+  for (std::size_t k = 0; k < spec.intersection_units; ++k) {
+    intersection_units_.push_back(std::make_unique<IntersectionUnit>(
+        fmt::format("intersection_unit_{}", k).c_str(), spec.intersection_latency, spec.intersection_cost, *datapath_));
+  }
+  if (options.max_level > 0 && !scene.objects.empty()) {
+    controller_ = std::make_unique<SubdivisionController>("subdivision_controller", spec.subdivision_controller,
+                                                          spec.subdivision_pool, options.max_level);
+  }
+  bind();
+  list_omitted();
+  const sc_core::sc_time period(1e6 / spec.clock_mhz, sc_core::SC_PS);
+  if (options.engine == Engine::lockstep) {
+    for (Stage* stage : stages_) stage->run_in_lockstep(period);
+    return;
+  }
+  const Cycle round_trip =
+      spec.view_vector_generator.latency + spec.intersection_latency + spec.pyramid_classifier.latency;
+  engine_ = std::make_unique<DecoupledEngine>(stages_, view_vector_generator_, controller_.get(), round_trip,
+                                              spec.subdivision_controller.latency);
+  sc_core::sc_spawn(
+      [this, period] {
+        engine_->run();
+        sc_core::wait(static_cast<double>(cycles()) * period);  // the kernel's clock shows the frame's end
+      },
+      "decoupled");
+}
+
+template <class Message, class Writer, class Reader, class Out, class In>
+Fifo<Message>& Processor::connect(const char* name, std::size_t depth, Writer& writer, Out& out, Reader& reader,
+                                  In& in) {
+  auto fifo = std::make_unique<Fifo<Message>>(name, depth);
+  out(*fifo);
+  in(*fifo);
+  fifo->connect(writer, reader);
+  Fifo<Message>& channel = *fifo;
+  fifos_.push_back(&channel);
+  channels_.push_back(std::move(fifo));
+  return channel;
+}
+
+/// All of the machine's wires, in data-flow order.
+void Processor::bind() {
+  const FifoDepths& depths = spec_.fifos;
+  connect<CornerRequest>("pixel_scan_to_view_vector_generator", depths.pixel_scan_to_view_vector_generator, pixel_scan_,
+                         pixel_scan_.view_vector_generator, view_vector_generator_, view_vector_generator_.pixel_scan);
+  stages_ = {&pixel_scan_, &view_vector_generator_};
+  for (std::size_t k = 0; k < intersection_units_.size(); ++k) {
+    IntersectionUnit& unit = *intersection_units_[k];
+    connect<RayMessage>(fmt::format("view_vector_generator_to_intersection_unit_{}", k).c_str(),
+                        depths.view_vector_generator_to_intersection_unit, view_vector_generator_,
+                        view_vector_generator_.intersection_units[k], unit, unit.view_vector_generator);
+    connect<SampleMessage>(fmt::format("intersection_unit_{}_to_pyramid_classifier", k).c_str(),
+                           depths.intersection_unit_to_pyramid_classifier, unit, unit.pyramid_classifier,
+                           pyramid_classifier_, pyramid_classifier_.intersection_units[k]);
+    stages_.push_back(&unit);
+  }
+  stages_.push_back(&pyramid_classifier_);
+  if (controller_) bind_controller();
+  connect<TerminalMessage>("pyramid_classifier_to_tree_accumulator", depths.pyramid_classifier_to_tree_accumulator,
+                           pyramid_classifier_, pyramid_classifier_.tree_accumulator, tree_accumulator_,
+                           tree_accumulator_.pyramid_classifier);
+  connect<PixelMessage>("tree_accumulator_to_frame_buffer", depths.tree_accumulator_to_frame_buffer, tree_accumulator_,
+                        tree_accumulator_.frame_buffer, frame_buffer_, frame_buffer_.tree_accumulator);
+  auto& credits = connect<SlotCredit>("tree_accumulator_to_pixel_scan", spec_.pixels_in_flight, tree_accumulator_,
+                                      tree_accumulator_.pixel_scan, pixel_scan_, pixel_scan_.tree_accumulator);
+  for (std::uint32_t slot = 0; slot < spec_.pixels_in_flight; ++slot) credits.preload({slot});
+  stages_.push_back(&tree_accumulator_);
+  stages_.push_back(&frame_buffer_);
+}
+
+void Processor::bind_controller() {
+  const FifoDepths& depths = spec_.fifos;
+  SubdivisionController& controller = *controller_;
+  connect<NodeMessage>("pyramid_classifier_to_subdivision_controller",
+                       depths.pyramid_classifier_to_subdivision_controller, pyramid_classifier_,
+                       pyramid_classifier_.subdivision_controller, controller, controller.pyramid_classifier);
+  connect<SubdivisionRequest>("subdivision_controller_to_view_vector_generator",
+                              depths.subdivision_controller_to_view_vector_generator, controller,
+                              controller.view_vector_generator, view_vector_generator_,
+                              view_vector_generator_.subdivision_controller);
+  connect<NodeMessage>("subdivision_controller_to_pyramid_classifier",
+                       depths.subdivision_controller_to_pyramid_classifier, controller, controller.parents,
+                       pyramid_classifier_, pyramid_classifier_.parents);
+  stages_.push_back(&controller);
+}
+
+void Processor::list_omitted() {
+  if (!controller_) {
+    omitted_.push_back({"subdivision_controller", pyramid_classifier_.max_level() == 0
+                                                      ? "MAX_LEVEL is 0: nothing is subdivided"
+                                                      : "the scene has no objects: nothing is subdivided"});
+  }
+  if (contents_.inner_nodes == 0) {
+    omitted_.push_back({"intersection_unit.hierarchy_walker", "the scene has fewer than two bounded surfaces"});
+  }
+  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+    if (contents_.surfaces[kind] > 0) continue;
+    omitted_.push_back({fmt::format("intersection_unit.{}_tester", surface_kind_names[kind]),
+                        fmt::format("the scene has no {}", surface_kind_names[kind])});
+  }
+}
+
+FrameStatistics Processor::statistics() const {
+  FrameStatistics statistics = pyramid_classifier_.counts();
+  statistics.rays_by_level = view_vector_generator_.rays_by_level();
+  for (const auto& unit : intersection_units_) statistics.work += unit->work();
+  return statistics;
+}
+
+std::string Processor::state() {
+  std::string text;
+  for (Stage* stage : stages_) {
+    const Start start = stage->next();
+    text += fmt::format(
+        "  {}: ready at {}, {}\n", stage->basename(), stage->ready(),
+        start.known() ? fmt::format("fires at {}", start.at())
+        : start.cause() == nullptr
+            ? std::string("has nothing to do")
+            : fmt::format("waits for {} {}", start.starved() ? "a token from" : "room in", start.cause()->basename()));
+  }
+  for (const FifoBase* fifo : fifos_) {
+    text += fmt::format("  {}: {} of {}\n", fifo->basename(), fifo->size(), fifo->statistics().depth);
+  }
+  return text;
+}
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/pyramid_classifier.h"
+
+namespace pyrasim::hw {
+
+PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units,
+                                     const Scene& scene, Leaf leaf, int max_level)
+    : StageOf(name),
+      intersection_units("intersection_unit", units),
+      timing_(timing),
+      palette_(scene),
+      leaf_(leaf),
+      max_level_(max_level),
+      columns_(static_cast<std::uint32_t>(scene.camera.screen.columns)),
+      corner_row_(static_cast<std::size_t>(columns_) + 2) {}
+
+Start PyramidClassifier::next() {
+  if (!step_.known) plan();
+  if (!step_.known) return Start(never);
+  Start start(ready());
+  if (step_.reads_sample) start.needs_token(intersection_units[unit_]);
+  if (step_.reads_parent) start.needs_token(parents);
+  if (step_.to_controller()) start.needs_room(subdivision_controller);
+  if (step_.to_accumulator()) start.needs_room(tree_accumulator);
+  return start;
+}
+
+void PyramidClassifier::plan() {
+  step_ = {};
+  if (samples_ == subdivision_rays) {
+    step_.known = true;
+    plan_subpixel(3);
+    return;
+  }
+  if (intersection_units[unit_]->empty()) return;
+  step_.known = true;
+  step_.reads_sample = true;
+  const SampleMessage& message = intersection_units[unit_]->front();
+  if (!message.subdivision) {
+    plan_corner(message);
+    return;
+  }
+  step_.reads_parent = samples_ == 0;
+  middle_[samples_] = message.sample;
+  if (samples_ >= center) plan_subpixel(samples_ - center);
+}
+
+void PyramidClassifier::plan_corner(const SampleMessage& message) {
+  if (message.tag.pixel == no_pixel) return;
+  const std::size_t size = corner_row_.size();
+  const auto back = [&](std::size_t corners) { return corner_row_[(corner_ + size - corners) % size]; };
+  step_.has_node = true;
+  step_.node.tag = message.tag;
+  step_.node.corners = {back(size), back(size - 1), back(1), message.sample};
+  step_.node.pyramid = {{(message.tag.pixel / columns_) << max_level_, (message.tag.pixel % columns_) << max_level_},
+                        0};
+  classify_node();
+}
+
+void PyramidClassifier::plan_subpixel(std::size_t child) {
+  step_.has_node = true;
+  step_.node.tag = parent_.tag;
+  step_.node.pyramid = subpixel(parent_.pyramid, child, max_level_);
+  step_.node.corners = subpixel_corners(parent_.corners, middle_, child);
+  classify_node();
+  // The controller keeps room for a family that can be subdivided further, until it hears of the last one.
+  step_.node.closes_family = child == 3 && step_.node.pyramid.level < static_cast<std::uint32_t>(max_level_);
+}
+
+void PyramidClassifier::classify_node() {
+  step_.which = classify(step_.node.corners);
+  step_.node.subdivide = subdivides(step_.which, step_.node.pyramid.level, max_level_);
+}
+
+void PyramidClassifier::fire(Cycle now) {
+  if (step_.reads_parent) parent_ = parents->read(now);
+  if (step_.reads_sample) {
+    const SampleMessage message = intersection_units[unit_]->read(now);
+    unit_ = unit_ + 1 == intersection_units.size() ? 0 : unit_ + 1;
+    if (message.subdivision) {
+      ++samples_;
+    } else {
+      corner_row_[corner_] = message.sample;
+      corner_ = corner_ + 1 == corner_row_.size() ? 0 : corner_ + 1;
+    }
+  } else {
+    samples_ = 0;
+  }
+  if (step_.has_node) emit(now);
+  step_.known = false;
+  occupy(now, timing_.interval);
+}
+
+void PyramidClassifier::emit(Cycle now) {
+  const NodeMessage& node = step_.node;
+  counts_.count(step_.which, node.pyramid.level);
+  if (node.subdivide) ++counts_.subdivisions;
+  if (step_.to_controller()) subdivision_controller->write(node, now, timing_.latency);
+  if (!step_.to_accumulator()) return;
+  ++counts_.terminal_nodes;
+  tree_accumulator->write({palette_.terminal_color(step_.which, node.corners, leaf_), node.tag, node.pyramid.level},
+                          now, timing_.latency);
+}
+
+}  // namespace pyrasim::hw

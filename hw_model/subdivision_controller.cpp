@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/subdivision_controller.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace pyrasim::hw {
+
+SubdivisionController::SubdivisionController(const sc_core::sc_module_name& name, StageTiming timing, std::size_t pool,
+                                             int max_level)
+    : StageOf(name), timing_(timing), pool_(pool), max_level_(max_level) {}
+
+Start SubdivisionController::accept_start() const { return Start(ready()).needs_token(pyramid_classifier); }
+
+Start SubdivisionController::issue_start() const {
+  if (!can_issue()) return Start(never);
+  return Start(ready()).needs_room(view_vector_generator).needs_room(parents);
+}
+
+Start SubdivisionController::next() {
+  const Start accept = accept_start();
+  const Start issue = issue_start();
+  return accept.at() <= issue.at() ? accept : issue;
+}
+
+/// The banker's rule. Worked off depth first, a node of level l replaces its entry by four and needs three more on each
+/// of the levels l + 1 to MAX_LEVEL - 1; a pixel has no entry to give back, and needs one more.
+bool SubdivisionController::can_issue() const {
+  const bool from_pool = !subpixels_.empty();
+  if (!from_pool && pixels_.empty()) return false;
+  const std::uint32_t level = from_pool ? subpixels_.back().pyramid.level : 0;
+  if (!family_returns(level)) return true;
+  const std::size_t needed = 3 * (static_cast<std::size_t>(max_level_) - 1 - level) + (from_pool ? 0 : 1);
+  return subpixels_.size() + reserved_ + needed <= pool_;
+}
+
+void SubdivisionController::fire(Cycle now) {
+  if (accept_start().at() == now) {
+    accept(pyramid_classifier->read(now));
+  } else {
+    issue(now);
+  }
+  occupy(now, timing_.interval);
+}
+
+void SubdivisionController::accept(const NodeMessage& node) {
+  if (node.pyramid.level == 0) {
+    pixels_.push_back(node);
+    return;
+  }
+  if (node.subdivide) {
+    subpixels_.push_back(node);
+    --reserved_;
+    --unsettled_;
+  }
+  if (node.closes_family) {
+    reserved_ -= unsettled_;
+    unsettled_ = 4;
+  }
+}
+
+void SubdivisionController::issue(Cycle now) {
+  NodeMessage node;
+  if (subpixels_.empty()) {
+    node = pixels_.front();
+    pixels_.pop_front();
+  } else {
+    node = subpixels_.back();
+    subpixels_.pop_back();
+  }
+  if (family_returns(node.pyramid.level)) reserved_ += 4;
+  most_used_ = std::max(most_used_, subpixels_.size() + reserved_);
+  assert(most_used_ <= pool_);
+  view_vector_generator->write({node.pyramid}, now, timing_.latency);
+  parents->write(node, now, timing_.latency);
+}
+
+}  // namespace pyrasim::hw

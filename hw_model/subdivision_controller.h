@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+#include "hw_model/machine_spec.h"
+#include "hw_model/message.h"
+#include "hw_model/stage.h"
+
+namespace pyrasim::hw {
+
+/// Holds the nodes that wait for their subdivision and releases them, deepest and newest first.
+///
+/// A node that comes back from the loop always finds room: a request is issued only while the pool still holds its
+/// whole subtree worked off depth first, 3 further entries a level (the banker's rule). Pixels wait in the slots of the
+/// pixels in flight and take no entry of the pool; only when no subpixel waits does the next pixel's turn come.
+/// In a firing the controller either accepts a node or issues a request; what is possible first goes first, accepting
+/// before issuing.
+class SubdivisionController final : public StageOf<SubdivisionController> {
+ public:
+  FifoPort<NodeMessage> pyramid_classifier{"pyramid_classifier"};
+  FifoPort<SubdivisionRequest> view_vector_generator{"view_vector_generator"};
+  FifoPort<NodeMessage> parents{"parents"};  ///< to the classifier, see there
+
+  SubdivisionController(const sc_core::sc_module_name& name, StageTiming timing, std::size_t pool, int max_level);
+
+  Start next() override;
+  void fire(Cycle now) override;
+  bool chooses_by_arrival() const override { return true; }
+
+  std::size_t pool_depth() const { return pool_; }
+  std::size_t pool_max() const { return most_used_; }
+
+ private:
+  Start accept_start() const;
+  Start issue_start() const;
+  bool can_issue() const;
+  void accept(const NodeMessage& node);
+  void issue(Cycle now);
+  /// The subpixels of a request of `level` may come back for subdivision.
+  bool family_returns(std::uint32_t level) const { return level + 1 < static_cast<std::uint32_t>(max_level_); }
+
+  StageTiming timing_;
+  std::size_t pool_;
+  int max_level_;
+  std::deque<NodeMessage> pixels_;      ///< nodes of level 0, in order of arrival
+  std::vector<NodeMessage> subpixels_;  ///< the pool: nodes of deeper levels, the newest last
+  std::size_t reserved_ = 0;            ///< entries kept for subpixels under way
+  std::size_t unsettled_ = 4;           ///< of them, those of the family that is coming in
+  std::size_t most_used_ = 0;
+};
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/tree_accumulator.h"
+
+namespace pyrasim::hw {
+
+TreeAccumulator::TreeAccumulator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t slots,
+                                 int max_level)
+    : StageOf(name), timing_(timing), max_level_(max_level), trees_(slots) {}
+
+bool TreeAccumulator::completes(const TerminalMessage& node) const {
+  return node.level == 0 || trees_[node.tag.slot].completed_by(node.level, max_level_);
+}
+
+Start TreeAccumulator::next() {
+  if (pyramid_classifier->empty()) return Start(never);
+  Start start = Start(ready()).needs_token(pyramid_classifier);
+  if (completes(pyramid_classifier->front())) start.needs_room(frame_buffer).needs_room(pixel_scan);
+  return start;
+}
+
+void TreeAccumulator::fire(Cycle now) {
+  const TerminalMessage node = pyramid_classifier->read(now);
+  if (node.level == 0) {
+    frame_buffer->write({node.tag.pixel, single_node_result(node.color)}, now, timing_.latency);
+    pixel_scan->write({node.tag.slot}, now, timing_.latency);
+  } else {
+    TraceTree& tree = trees_[node.tag.slot];
+    tree.add_terminal_node(node.level, node.color, max_level_);
+    if (tree.complete(max_level_)) {
+      frame_buffer->write({node.tag.pixel, tree.result(max_level_)}, now, timing_.latency);
+      pixel_scan->write({node.tag.slot}, now, timing_.latency);
+      tree = {};
+    }
+  }
+  occupy(now, timing_.interval);
+}
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "hw_model/machine_spec.h"
+#include "hw_model/message.h"
+#include "hw_model/stage.h"
+#include "trace/datapath.h"
+
+namespace pyrasim::hw {
+
+/// Computes view vectors by formulas (2) to (5): one for a corner of the raster, five for a subdivision request, one a
+/// firing; and deals the rays out to the intersection units in turn. Requests go before corners, so that a pixel that
+/// is begun is finished; a request's five rays stay together.
+class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
+ public:
+  FifoPort<CornerRequest> pixel_scan{"pixel_scan"};
+  OptionalFifoPort<SubdivisionRequest> subdivision_controller{"subdivision_controller"};
+  sc_core::sc_vector<FifoPort<RayMessage>> intersection_units;
+
+  ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units,
+                      const Datapath& datapath, int max_level);
+
+  Start next() override;
+  void fire(Cycle now) override;
+  bool chooses_by_arrival() const override { return true; }
+
+  /// Whether no token that is still unseen could be a corner that goes first.
+  bool sees_next_corner() const { return rays_left_ > 0 || !pixel_scan->empty(); }
+  /// Rays issued to form subpixels of each level; [0] are the corners of the raster.
+  const std::array<std::uint64_t, max_level_limit + 1>& rays_by_level() const { return rays_by_level_; }
+
+ private:
+  Start corner_start() const;
+  Start request_start() const;
+  void issue(GridPoint point, std::uint32_t level, const PixelTag& tag, Cycle now);
+
+  StageTiming timing_;
+  const Datapath& datapath_;
+  int max_level_;
+  Pyramid request_;            ///< whose rays are being issued
+  std::size_t rays_left_ = 0;  ///< of request_
+  std::size_t unit_ = 0;       ///< that the next ray goes to
+  std::array<std::uint64_t, max_level_limit + 1> rays_by_level_{};
+};
+
+}  // namespace pyrasim::hw

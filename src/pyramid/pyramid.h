@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pixels and subpixels as pyramids: grid addresses, the five further points of a subdivision, and the four subpixels.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "pyramid/sample.h"
+#include "trace/view_vector.h"
+
+namespace pyrasim {
+
+/// The deepest MAX_LEVEL. Together with the largest screen it keeps grid addresses within 32 bits.
+inline constexpr int max_level_limit = 16;
+
+/// Grid addresses of an N_y x N_z screen at `max_level` fit GridPoint.
+constexpr bool addressable(int columns, int rows, int max_level) {
+  return (static_cast<std::int64_t>(columns > rows ? columns : rows) << max_level) <= 0xFFFFFFFFLL;
+}
+
+/// Corners are numbered 0 upper left, 1 upper right, 2 lower left, 3 lower right; so are the subpixels of a pixel.
+using CornerSamples = std::array<Sample, 4>;
+
+/// A pixel (level 0) or a subpixel: the pyramid that its four corner rays span.
+struct Pyramid {
+  GridPoint corner;         ///< upper left
+  std::uint32_t level = 0;  ///< L; the side is 2^-L of the pixel's
+};
+
+/// The side of a pyramid of `level` in grid steps: 2^(MAX_LEVEL - L).
+constexpr std::uint32_t side(std::uint32_t level, int max_level) {
+  return 1U << (static_cast<std::uint32_t>(max_level) - level);
+}
+
+/// The points of a subdivision in the order in which their rays are traced: as soon as the third is known the first
+/// subpixel is complete, with the fourth the second, with the fifth the last two.
+enum SubdivisionPoint : std::uint8_t { top_middle, left_middle, center, right_middle, bottom_middle };
+inline constexpr std::size_t subdivision_rays = 5;
+using SubdivisionSamples = std::array<Sample, subdivision_rays>;
+
+/// The grid address of one of the five points of a subdivision. Valid while level < MAX_LEVEL.
+constexpr GridPoint subdivision_point(const Pyramid& pyramid, std::size_t point, int max_level) {
+  constexpr std::array<std::uint32_t, subdivision_rays> down{0, 1, 1, 1, 2};
+  constexpr std::array<std::uint32_t, subdivision_rays> right{1, 0, 1, 2, 1};
+  const std::uint32_t half = side(pyramid.level + 1, max_level);
+  return {pyramid.corner.row + down[point] * half, pyramid.corner.column + right[point] * half};
+}
+
+/// Subpixel `child` (0 to 3) of `parent`.
+constexpr Pyramid subpixel(const Pyramid& parent, std::size_t child, int max_level) {
+  const std::uint32_t half = side(parent.level + 1, max_level);
+  return {{parent.corner.row + (child >= 2 ? half : 0), parent.corner.column + (child % 2 == 1 ? half : 0)},
+          parent.level + 1};
+}
+
+/// The corner samples of subpixel `child`, from its parent's corners and the five samples of the subdivision.
+constexpr CornerSamples subpixel_corners(const CornerSamples& parent, const SubdivisionSamples& middle,
+                                         std::size_t child) {
+  switch (child) {
+    case 0:
+      return {parent[0], middle[top_middle], middle[left_middle], middle[center]};
+    case 1:
+      return {middle[top_middle], parent[1], middle[center], middle[right_middle]};
+    case 2:
+      return {middle[left_middle], middle[center], parent[2], middle[bottom_middle]};
+    default:
+      return {middle[center], middle[right_middle], middle[bottom_middle], parent[3]};
+  }
+}
+
+}  // namespace pyrasim

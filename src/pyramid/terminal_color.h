@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The colour of a terminal node of the trace tree.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "pyramid/classifier.h"
+#include "scene/scene.h"
+
+namespace pyrasim {
+
+/// What becomes of a case-3 subpixel at MAX_LEVEL (decision D2).
+enum class Leaf : std::uint8_t {
+  mean,  ///< a terminal node with the mean of its four corner samples
+  drop,  ///< no node: its area counts as background, as the article's pseudo-code reads
+};
+
+/// Linear RGB as whole multiples of 2^-50. Sums of such colours are exact, so that a tree's result does not depend on
+/// the order in which its nodes arrive.
+using FixedColor = std::array<std::int64_t, 3>;
+inline constexpr int fixed_color_bits = 50;
+
+/// The scene's colours as the classifier holds them.
+class Palette {
+ public:
+  explicit Palette(const Scene& scene) {
+    for (const Object& object : scene.objects) colors_.push_back(object.color);
+    background_ = fixed(scene.background, 1, 4);
+    background_color_ = scene.background;
+  }
+
+  /// The integral colour over the pyramid (decision D6): for case 2 the object's colour times the mean shading of the
+  /// four corners, for case 1 the background, for case 3 at MAX_LEVEL as `leaf` says.
+  FixedColor terminal_color(PyramidCase which, const CornerSamples& corners, Leaf leaf) const {
+    if (which == PyramidCase::covered) {
+      const double shading = (corners[0].shading + corners[1].shading + corners[2].shading + corners[3].shading) / 4;
+      return fixed(colors_[corners[0].object], shading, 4);
+    }
+    if (which == PyramidCase::empty || leaf == Leaf::drop) return background_;
+    FixedColor sum{};
+    for (const Sample& corner : corners) {
+      const FixedColor part = sample_color(corner, 1);
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += part[k];
+    }
+    return sum;
+  }
+
+  /// The colour of one sample, times `quarters` / 4.
+  FixedColor sample_color(const Sample& sample, std::int64_t quarters = 4) const {
+    if (sample.object == no_object) return fixed(background_color_, 1, quarters);
+    return fixed(colors_[sample.object], sample.shading, quarters);
+  }
+
+ private:
+  /// color * shading, rounded to a multiple of 2^-48, times quarters / 4.
+  static FixedColor fixed(const glm::dvec3& color, double shading, std::int64_t quarters) {
+    constexpr double unit = 1LL << (fixed_color_bits - 2);
+    return {quarters * std::llrint(color.x * shading * unit), quarters * std::llrint(color.y * shading * unit),
+            quarters * std::llrint(color.z * shading * unit)};
+  }
+
+  std::vector<glm::dvec3> colors_;
+  FixedColor background_{};
+  glm::dvec3 background_color_{};
+};
+
+}  // namespace pyrasim

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The trace tree's result: the area-weighted sum of a pixel's terminal nodes.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "pyramid/pyramid.h"
+#include "pyramid/terminal_color.h"
+
+namespace pyrasim {
+
+/// A pixel's trace tree, summed while it grows. Only terminal nodes carry colour, and a node of level L stands for 4^-L
+/// of the pixel's area; so the tree needs no storage of its own: an exact sum and the area covered so far say all.
+/// Sums are integers: the order of the nodes does not matter, and the result is rounded once.
+class TraceTree {
+ public:
+  /// A terminal node of `level`, in a tree of at most `max_level`.
+  void add_terminal_node(std::uint32_t level, const FixedColor& color, int max_level) {
+    const int shift = 2 * (max_level - static_cast<int>(level));
+    for (std::size_t k = 0; k < 3; ++k) sum_[k] += static_cast<Wide>(color[k]) << shift;
+    area_ += std::uint64_t{1} << shift;
+  }
+
+  /// Whether the weights of the nodes so far add up to 1: then the tree is complete.
+  bool complete(int max_level) const { return area_ == std::uint64_t{1} << (2 * max_level); }
+
+  /// Whether one more node of `level` would complete the tree.
+  bool completed_by(std::uint32_t level, int max_level) const {
+    return area_ + (std::uint64_t{1} << (2 * (max_level - static_cast<int>(level)))) == std::uint64_t{1}
+                                                                                            << (2 * max_level);
+  }
+
+  /// The article's calc_result. Requires complete().
+  glm::vec3 result(int max_level) const {
+    assert(complete(max_level));
+    const int exponent = -(fixed_color_bits + 2 * max_level);
+    const auto component = [&](Wide sum) { return static_cast<float>(std::ldexp(static_cast<double>(sum), exponent)); };
+    return {component(sum_[0]), component(sum_[1]), component(sum_[2])};
+  }
+
+ private:
+  /// 62 bits of colour and 2 * 16 bits of area.
+  __extension__ using Wide = __int128;
+  std::array<Wide, 3> sum_{};
+  std::uint64_t area_ = 0;  ///< in units of 4^-MAX_LEVEL of the pixel
+};
+
+/// The result of a tree that is a single node: a pixel of case 1 or 2.
+inline glm::vec3 single_node_result(const FixedColor& color) {
+  constexpr double unit = 1.0 / (1LL << fixed_color_bits);
+  return {static_cast<float>(static_cast<double>(color[0]) * unit),
+          static_cast<float>(static_cast<double>(color[1]) * unit),
+          static_cast<float>(static_cast<double>(color[2]) * unit)};
+}
+
+}  // namespace pyrasim

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/pyramid_renderer.h"
+
+#include <atomic>
+#include <mutex>
+#include <vector>
+
+#include "pyramid/trace_tree.h"
+#include "render/sample_cache.h"
+
+namespace pyrasim {
+namespace {
+
+constexpr int band_rows = 8;
+
+/// What two neighbouring bands of pixel rows share: the corner samples of the row of corners between them, and the
+/// points on that line that the upper band's subdivisions traced.
+struct Seam {
+  std::vector<Sample> corners;
+  SampleCache border;
+  std::atomic<bool> ready{false};
+};
+
+/// What all threads read, and the seams by which they hand over.
+template <class Scalar>
+struct Frame {
+  const SceneTracer<Scalar>& tracer;
+  const PyramidOptions& options;
+  Palette palette;
+  ViewVectors<Scalar> view_vectors;
+  int columns;
+  int rows;
+  Image image;
+  std::vector<Seam> seams;  ///< seams[b] lies above band b
+  std::mutex totals;
+  FrameStatistics statistics;
+};
+
+/// Renders bands of rows; one for each thread.
+template <class Scalar>
+class BandWorker {
+ public:
+  explicit BandWorker(Frame<Scalar>& frame) : frame_(frame), max_level_(frame.options.max_level) {}
+  BandWorker(const BandWorker&) = delete;
+  BandWorker& operator=(const BandWorker&) = delete;
+  ~BandWorker() {
+    const std::scoped_lock lock(frame_.totals);
+    frame_.statistics += statistics_;
+  }
+
+  /// Band `band`'s first row comes last: it needs the seam that the band above leaves behind.
+  void operator()(int band) {
+    first_row_ = band * band_rows;
+    const int rows = std::min(band_rows, frame_.rows - first_row_);
+    if (band == 0) trace_corner_row(0);
+    for (int k = 0; k <= rows; ++k) borders_[k].clear();
+    trace_corner_row(1);
+    if (band == 0) render_row(0);
+    for (int k = 1; k < rows; ++k) {
+      trace_corner_row(k + 1);
+      render_row(k);
+    }
+    if (band > 0 && rows > 1) hand_over(band + 1, rows);
+    if (band > 0) {
+      Seam& above = frame_.seams[static_cast<std::size_t>(band)];
+      above.ready.wait(false);
+      corners_[0] = std::move(above.corners);
+      borders_[0] = std::move(above.border);
+      render_row(0);
+    }
+    if (band == 0 || rows == 1) hand_over(band + 1, rows);
+  }
+
+ private:
+  void hand_over(int seam, int row) {
+    Seam& below = frame_.seams[static_cast<std::size_t>(seam)];
+    below.corners = std::move(corners_[row]);
+    below.border = std::move(borders_[row]);
+    below.ready = true;
+    below.ready.notify_all();
+  }
+
+  Sample trace(GridPoint point) { return frame_.tracer.trace(frame_.view_vectors(point), statistics_.work); }
+
+  /// Corners of row first_row_ + k: each traced once, however many pixels share it.
+  void trace_corner_row(int k) {
+    auto& corners = corners_[k];
+    corners.resize(static_cast<std::size_t>(frame_.columns) + 1);
+    GridPoint point{static_cast<std::uint32_t>(first_row_ + k) << max_level_, 0};
+    for (Sample& corner : corners) {
+      corner = trace(point);
+      point.column += 1U << max_level_;
+    }
+    statistics_.rays_by_level[0] += corners.size();
+  }
+
+  void render_row(int k) {
+    const auto& above = corners_[k];
+    const auto& below = corners_[k + 1];
+    vertical_border_.clear();
+    border_above_ = &borders_[k];
+    border_below_ = &borders_[k + 1];
+    for (int column = 0; column < frame_.columns; ++column) {
+      const auto nu = static_cast<std::size_t>(column);
+      pixel_ = {static_cast<std::uint32_t>(first_row_ + k) << max_level_, static_cast<std::uint32_t>(nu) << max_level_};
+      frame_.image.at(first_row_ + k, column) = render_pixel({above[nu], above[nu + 1], below[nu], below[nu + 1]});
+    }
+  }
+
+  /// The article's render: a pixel's four corners decide its case.
+  glm::vec3 render_pixel(const CornerSamples& corners) {
+    const PyramidCase which = classify(corners);
+    statistics_.count(which, 0);
+    if (!subdivides(which, 0, max_level_)) {
+      ++statistics_.terminal_nodes;
+      return single_node_result(frame_.palette.terminal_color(which, corners, frame_.options.leaf));
+    }
+    interior_.clear();
+    TraceTree tree;
+    pixel_subdivision({pixel_, 0}, corners, tree);
+    return tree.result(max_level_);
+  }
+
+  /// Five more rays split a case-3 pyramid in four.
+  void pixel_subdivision(const Pyramid& pyramid, const CornerSamples& corners, TraceTree& tree) {
+    ++statistics_.subdivisions;
+    SubdivisionSamples middle;
+    for (std::size_t k = 0; k < subdivision_rays; ++k) {
+      middle[k] = subdivision_sample(subdivision_point(pyramid, k, max_level_), pyramid.level + 1);
+    }
+    for (std::size_t child = 0; child < 4; ++child) {
+      subpixel_check(subpixel(pyramid, child, max_level_), subpixel_corners(corners, middle, child), tree);
+    }
+  }
+
+  void subpixel_check(const Pyramid& subpixel, const CornerSamples& corners, TraceTree& tree) {
+    const PyramidCase which = classify(corners);
+    statistics_.count(which, subpixel.level);
+    if (subdivides(which, subpixel.level, max_level_)) {
+      pixel_subdivision(subpixel, corners, tree);
+      return;
+    }
+    ++statistics_.terminal_nodes;
+    tree.add_terminal_node(subpixel.level, frame_.palette.terminal_color(which, corners, frame_.options.leaf),
+                           max_level_);
+  }
+
+  /// The sample at one of the five points of a subdivision into subpixels of `level`: traced, or taken from an earlier
+  /// subdivision where the policy allows. A point inside the pixel can only have been met in this pixel; a point on
+  /// its sides only in the neighbour.
+  Sample subdivision_sample(GridPoint point, std::uint32_t level) {
+    const std::uint32_t down = point.row - pixel_.row;
+    const std::uint32_t right = point.column - pixel_.column;
+    const std::uint32_t end = 1U << max_level_;
+    const bool inside = down != 0 && down != end && right != 0 && right != end;
+    SampleCache& cache = inside        ? interior_
+                         : down == 0   ? *border_above_
+                         : down == end ? *border_below_
+                                       : vertical_border_;
+    const auto [sample, fresh] = cache.insert(point);
+    if (!fresh) {
+      ++(inside ? statistics_.repeated_in_pixel : statistics_.repeated_between_pixels);
+      if (frame_.options.reuse == Reuse::frame || (inside && frame_.options.reuse == Reuse::pixel)) return *sample;
+    }
+    ++statistics_.rays_by_level[level];
+    *sample = trace(point);
+    return *sample;
+  }
+
+  Frame<Scalar>& frame_;
+  const int max_level_;
+  FrameStatistics statistics_;
+  int first_row_ = 0;
+  GridPoint pixel_;  ///< upper left corner of the current pixel
+  std::array<std::vector<Sample>, band_rows + 1> corners_;
+  std::array<SampleCache, band_rows + 1> borders_;  ///< points on the lines between rows of pixels
+  SampleCache* border_above_ = nullptr;
+  SampleCache* border_below_ = nullptr;
+  SampleCache vertical_border_;  ///< points on the lines between the pixels of a row
+  SampleCache interior_;         ///< points inside the pixel
+};
+
+}  // namespace
+
+template <class Scalar>
+Rendering render_pyramids(const Scene& scene, const SceneTracer<Scalar>& tracer, const PyramidOptions& options,
+                          const Progress& progress) {
+  const Screen& screen = scene.camera.screen;
+  const int bands = (screen.rows + band_rows - 1) / band_rows;
+  Frame<Scalar> frame{.tracer = tracer,
+                      .options = options,
+                      .palette = Palette(scene),
+                      .view_vectors = ViewVectors<Scalar>(screen, std::int64_t{1} << options.max_level),
+                      .columns = screen.columns,
+                      .rows = screen.rows,
+                      .image = Image(screen.columns, screen.rows),
+                      .seams = std::vector<Seam>(static_cast<std::size_t>(bands) + 1),
+                      .totals = {},
+                      .statistics = {}};
+  run_tasks(bands, thread_count(options.threads), progress,
+            [&] { return [worker = std::make_unique<BandWorker<Scalar>>(frame)](int band) { (*worker)(band); }; });
+  return {std::move(frame.image), frame.statistics};
+}
+
+template Rendering render_pyramids<double>(const Scene&, const SceneTracer<double>&, const PyramidOptions&,
+                                           const Progress&);
+template Rendering render_pyramids<float>(const Scene&, const SceneTracer<float>&, const PyramidOptions&,
+                                          const Progress&);
+
+}  // namespace pyrasim

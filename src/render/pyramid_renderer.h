@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reference renderer: the method without time, written to be read beside docs/method.md.
+#pragma once
+
+#include "image/image.h"
+#include "pyramid/terminal_color.h"
+#include "render/frame_statistics.h"
+#include "render/parallel.h"
+#include "trace/scene_tracer.h"
+
+namespace pyrasim {
+
+/// Which points of a subdivision are traced again (decision D3). Pictures are the same under all three.
+enum class Reuse : std::uint8_t {
+  none,   ///< all five, as in the article's pseudo-code
+  pixel,  ///< each point of a pixel's grid once
+  frame,  ///< also each point on the sides between pixels once
+};
+
+struct PyramidOptions {
+  int max_level = 3;  ///< 0 to max_level_limit
+  Leaf leaf = Leaf::mean;
+  Reuse reuse = Reuse::none;
+  int threads = 0;  ///< 0: one for each core. Results do not depend on it
+};
+
+struct Rendering {
+  Image image;
+  FrameStatistics statistics;
+};
+
+/// Renders the scene on its camera's screen. Requires addressable(columns, rows, max_level).
+template <class Scalar>
+Rendering render_pyramids(const Scene& scene, const SceneTracer<Scalar>& tracer, const PyramidOptions& options,
+                          const Progress& progress = {});
+
+extern template Rendering render_pyramids<double>(const Scene&, const SceneTracer<double>&, const PyramidOptions&,
+                                                  const Progress&);
+extern template Rendering render_pyramids<float>(const Scene&, const SceneTracer<float>&, const PyramidOptions&,
+                                                 const Progress&);
+
+}  // namespace pyrasim

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/sampling_renderer.h"
+
+#include <memory>
+#include <mutex>
+
+namespace pyrasim {
+namespace {
+
+/// Grid steps in one cell of the N x N grid: an even number, so that the centre is a grid point.
+constexpr std::uint32_t jitter_steps = 1U << 8U;
+
+/// Sixteen mixed bits (SplitMix64, Steele, Lea, Flood 2014) of a counter, so that no thread's order matters.
+std::uint32_t random_bits(std::uint64_t seed, std::uint64_t counter) {
+  std::uint64_t z = seed * 0xD1342543DE82EF95ULL + (counter + 1) * 0x9E3779B97F4A7C15ULL;
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
+  return static_cast<std::uint32_t>((z ^ (z >> 31U)) >> 48U);
+}
+
+template <class Scalar>
+struct SamplingFrame {
+  const SceneTracer<Scalar>& tracer;
+  const SamplingOptions& options;
+  Palette palette;
+  std::uint32_t cell_steps;  ///< grid steps along a cell's side
+  ViewVectors<Scalar> view_vectors;
+  Image image;
+  std::mutex totals;
+  Work work;
+};
+
+template <class Scalar>
+class RowWorker {
+ public:
+  explicit RowWorker(SamplingFrame<Scalar>& frame) : frame_(frame) {}
+  RowWorker(const RowWorker&) = delete;
+  RowWorker& operator=(const RowWorker&) = delete;
+  ~RowWorker() {
+    const std::scoped_lock lock(frame_.totals);
+    frame_.work += work_;
+  }
+
+  void operator()(int row) {
+    for (int column = 0; column < frame_.image.columns(); ++column) {
+      frame_.image.at(row, column) = pixel(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column));
+    }
+  }
+
+ private:
+  glm::vec3 pixel(std::uint32_t row, std::uint32_t column) {
+    const auto grid = static_cast<std::uint32_t>(frame_.options.grid);
+    std::array<double, 3> sum{};
+    for (std::uint32_t i = 0; i < grid; ++i) {
+      for (std::uint32_t j = 0; j < grid; ++j) {
+        const GridPoint point = sample_point(row * grid + i, column * grid + j);
+        const FixedColor color = frame_.palette.sample_color(frame_.tracer.trace(frame_.view_vectors(point), work_));
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += std::ldexp(static_cast<double>(color[k]), -fixed_color_bits);
+      }
+    }
+    const double samples = static_cast<double>(grid) * grid;
+    return {static_cast<float>(sum[0] / samples), static_cast<float>(sum[1] / samples),
+            static_cast<float>(sum[2] / samples)};
+  }
+
+  /// A point in the cell at (cell_row, cell_column), counted over the whole screen.
+  GridPoint sample_point(std::uint32_t cell_row, std::uint32_t cell_column) const {
+    const std::uint32_t steps = frame_.cell_steps;
+    if (!frame_.options.jitter) return {cell_row * steps + steps / 2, cell_column * steps + steps / 2};
+    const std::uint64_t cell = (static_cast<std::uint64_t>(cell_row) << 32U) | cell_column;
+    const std::uint32_t bits = random_bits(frame_.options.seed, cell);
+    return {cell_row * steps + (bits & (steps - 1)), cell_column * steps + (bits >> 8U)};
+  }
+
+  SamplingFrame<Scalar>& frame_;
+  Work work_;
+};
+
+}  // namespace
+
+template <class Scalar>
+Rendering render_samples(const Scene& scene, const SceneTracer<Scalar>& tracer, const SamplingOptions& options,
+                         const Progress& progress) {
+  const Screen& screen = scene.camera.screen;
+  const std::uint32_t cell_steps = options.jitter ? jitter_steps : 2;
+  SamplingFrame<Scalar> frame{
+      .tracer = tracer,
+      .options = options,
+      .palette = Palette(scene),
+      .cell_steps = cell_steps,
+      .view_vectors = ViewVectors<Scalar>(screen, static_cast<std::int64_t>(options.grid) * cell_steps),
+      .image = Image(screen.columns, screen.rows),
+      .totals = {},
+      .work = {}};
+  run_tasks(screen.rows, thread_count(options.threads), progress,
+            [&] { return [worker = std::make_unique<RowWorker<Scalar>>(frame)](int row) { (*worker)(row); }; });
+  Rendering rendering{std::move(frame.image), {}};
+  rendering.statistics.rays_by_level[0] =
+      static_cast<std::uint64_t>(screen.rows) * static_cast<std::uint64_t>(screen.columns) *
+      static_cast<std::uint64_t>(options.grid) * static_cast<std::uint64_t>(options.grid);
+  rendering.statistics.work = frame.work;
+  return rendering;
+}
+
+template Rendering render_samples<double>(const Scene&, const SceneTracer<double>&, const SamplingOptions&,
+                                          const Progress&);
+template Rendering render_samples<float>(const Scene&, const SceneTracer<float>&, const SamplingOptions&,
+                                         const Progress&);
+
+}  // namespace pyrasim

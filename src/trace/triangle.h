@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Watertight ray-triangle test (Woop, Benthin, Wald, Journal of Computer Graphics Techniques 2013): neighbours compute
+// a shared edge from the same numbers, so a ray cannot slip between them. Edges and vertices belong to the triangle.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "trace/surface.h"
+
+namespace pyrasim {
+
+/// What all triangles of one ray share: the axes permuted so that the direction's largest component comes last, and the
+/// shear that turns the direction into that axis.
+template <class Scalar>
+struct TriangleShear {
+  std::size_t kx, ky, kz;
+  Scalar sx, sy, sz;
+
+  explicit TriangleShear(const Vector<Scalar>& direction) {
+    const Scalar x = std::abs(direction.x);
+    const Scalar y = std::abs(direction.y);
+    const Scalar z = std::abs(direction.z);
+    kz = x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
+    kx = kz == 2 ? 0 : kz + 1;
+    ky = kx == 2 ? 0 : kx + 1;
+    const std::array<Scalar, 3> d{direction.x, direction.y, direction.z};
+    sz = Scalar(1) / d[kz];
+    sx = d[kx] * sz;
+    sy = d[ky] * sz;
+  }
+};
+
+/// The t > 0 at which the view ray meets the triangle from either side, or 0 where there is none.
+template <class Scalar>
+Scalar intersect_triangle(const TriangleSurface<Scalar>& triangle, const TriangleShear<Scalar>& shear) {
+  const auto& [a, b, c] = triangle.vertices;
+  const Scalar ax = a[shear.kx] - shear.sx * a[shear.kz];
+  const Scalar ay = a[shear.ky] - shear.sy * a[shear.kz];
+  const Scalar bx = b[shear.kx] - shear.sx * b[shear.kz];
+  const Scalar by = b[shear.ky] - shear.sy * b[shear.kz];
+  const Scalar cx = c[shear.kx] - shear.sx * c[shear.kz];
+  const Scalar cy = c[shear.ky] - shear.sy * c[shear.kz];
+  const Scalar u = cx * by - cy * bx;  // the edge functions: twice the areas opposite a, b and c
+  const Scalar v = ax * cy - ay * cx;
+  const Scalar w = bx * ay - by * ax;
+  const bool negative = u < Scalar(0) || v < Scalar(0) || w < Scalar(0);
+  const bool positive = u > Scalar(0) || v > Scalar(0) || w > Scalar(0);
+  if (negative && positive) return Scalar(0);
+  const Scalar determinant = u + v + w;
+  if (determinant == Scalar(0)) return Scalar(0);
+  const Scalar depth = u * a[shear.kz] + v * b[shear.kz] + w * c[shear.kz];
+  const Scalar t = depth * shear.sz / determinant;
+  return t > Scalar(0) ? t : Scalar(0);
+}
+
+}  // namespace pyrasim
