@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/load_scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 
@@ -105,6 +107,12 @@ TEST_F(LoadScene, OneWarningForAllDegenerateTrianglesOfAMesh) {
                                    ": /objects/0/file: 2 degenerate triangles were skipped; 1 are left of " + mesh);
 }
 
+/// The unit normal of a mesh's triangle.
+glm::dvec3 normal(const Mesh& mesh, std::size_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return glm::normalize(glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+}
+
 class ShippedScene : public testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedScene, LoadsWithoutWarnings) {
@@ -118,6 +126,40 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("keel.json", "sphere
                            const std::string name = parameter.param;
                            return name.substr(0, name.find('.'));
                          });
+
+Scene shipped(const char* name) { return load_scene(std::filesystem::path(PYRASIM_SOURCE_DIR) / "scenes" / name); }
+
+TEST(ShippedScenes, KeelsFinAndRudderAreOneFlatObjectEach) {
+  const Scene scene = shipped("keel.json");
+  for (const std::size_t i : {0U, 1U}) {
+    const auto& mesh = std::get<Mesh>(scene.objects[i].surface);
+    const glm::dvec3 first = normal(mesh, 0);
+    for (std::size_t t = 1; t < mesh.triangles.size(); ++t) EXPECT_NEAR(glm::dot(first, normal(mesh, t)), 1, 1e-9);
+  }
+}
+
+TEST(ShippedScenes, SpheresAreFiftyOverTwoAndAHalfDecades) {
+  const Scene scene = shipped("spheres.json");
+  EXPECT_EQ(scene.objects.size(), 50U);
+  double smallest = 1e30;
+  double largest = 0;
+  for (const Object& object : scene.objects) {
+    const double radius = std::get<Sphere>(object.surface).radius;
+    smallest = std::min(smallest, radius);
+    largest = std::max(largest, radius);
+  }
+  EXPECT_GE(largest / smallest, std::pow(10, 2.5));
+}
+
+TEST(ShippedScenes, FinsAreSliversWithoutLight) {
+  const Scene scene = shipped("fins.json");
+  EXPECT_EQ(scene.objects.size(), 24U);
+  EXPECT_FALSE(scene.light);
+}
+
+TEST(ShippedScenes, BunnyHasAllItsTriangles) {
+  EXPECT_EQ(std::get<Mesh>(shipped("bunny.json").objects[0].surface).triangles.size(), 69666U);
+}
 
 }  // namespace
 }  // namespace pyrasim
