@@ -188,6 +188,7 @@ glm::dvec3 JsonReader::vec3(const NumberRange& range) const {
 
 std::ptrdiff_t JsonReader::choice_index(const std::vector<std::string_view>& names) const {
   std::vector<std::string> shown;
+  shown.reserve(names.size());
   for (const std::string_view name : names) shown.push_back(in_quotes(name));
   const std::string allowed = fmt::format("one of {}", fmt::join(shown, ", "));
   if (!node_->is_string()) fail_kind(allowed);
