@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json/json_override.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "error.h"
+#include "json/json_file.h"
+
+namespace pyrasim {
+namespace {
+
+using nlohmann::json;
+
+[[noreturn]] void fail(std::string_view assignment, std::string_view wrong, std::string_view allowed) {
+  throw UsageError(fmt::format("--set {}: {}; {}", one_line(assignment), one_line(wrong), allowed));
+}
+
+json parse_value(std::string_view assignment, std::string_view value) {
+  constexpr std::string_view json_begins = "-0123456789[{\" \t";
+  const bool literal = value == "true" || value == "false" || value == "null";
+  if (value.empty()) fail(assignment, "the value is missing", "PATH=VALUE is allowed, and \"\" for an empty text");
+  if (!literal && json_begins.find(value.front()) == std::string_view::npos) return std::string(value);
+  try {
+    return parse_json(value, "value");
+  } catch (const InputError& error) {
+    fail(assignment, error.what(), "a JSON value is allowed; a text that begins like one needs double quotes");
+  }
+}
+
+/// What `key` selects inside `node`; a missing member is made, as null.
+json& step(json& node, std::string_view key, std::string_view assignment) {
+  if (key.empty()) fail(assignment, "a key is empty", "PATH is keys separated by dots");
+  if (node.is_null()) node = json::object();
+  if (node.is_object()) return node[std::string(key)];
+  if (!node.is_array()) {
+    fail(assignment, fmt::format("there is nothing inside to select by \"{}\"", key),
+         "only objects and arrays hold other settings");
+  }
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
+  if (error != std::errc() || end != key.data() + key.size() || index >= node.size()) {
+    fail(assignment, fmt::format("\"{}\" selects no element", key),
+         fmt::format("the array has {} elements, counted from 0", node.size()));
+  }
+  return node[index];
+}
+
+}  // namespace
+
+void apply_override(nlohmann::json& document, std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos) fail(assignment, "there is no \"=\"", "PATH=VALUE is allowed");
+  json value = parse_value(assignment, assignment.substr(equals + 1));
+  std::string_view path = assignment.substr(0, equals);
+  json changed = document;  // a refused assignment leaves the document as it was
+  json* node = &changed;
+  while (true) {
+    const std::size_t dot = path.find('.');
+    node = &step(*node, path.substr(0, dot), assignment);
+    if (dot == std::string_view::npos) break;
+    path.remove_prefix(dot + 1);
+  }
+  *node = std::move(value);
+  document = std::move(changed);
+}
+
+}  // namespace pyrasim

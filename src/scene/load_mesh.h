@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "scene/scene.h"
+
+namespace pyrasim {
+
+/// The largest magnitude of a coordinate, world units: the squares of differences stay far from the end of double.
+inline constexpr double max_coordinate = 1e30;
+
+struct LoadedMesh {
+  Mesh mesh;
+  std::size_t skipped = 0;  ///< degenerate triangles, which `mesh` does not have
+};
+
+/// Reads the vertices and faces of an OBJ file; polygons become triangles, and groups and materials are passed over.
+/// Throws InputError "FILE: what is wrong; what is allowed" or "FILE:LINE: ...": a file that cannot be read, no faces
+/// or degenerate ones only, a face with an index that selects no vertex, coordinates that are no finite numbers.
+LoadedMesh load_mesh(const std::filesystem::path& file);
+
+}  // namespace pyrasim

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/obj_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "error.h"
+#include "json/json_file.h"
+#include "scene/load_mesh.h"
+
+namespace pyrasim {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+constexpr std::size_t longest_quote = 40;  ///< bytes of a wrong word that a message repeats
+
+/// Cuts the first word off `line`; empty at the line's end.
+std::string_view next_word(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  const std::string_view word = line.substr(0, line.find_first_of(blanks));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+/// Reads the whole of `word`, a leading plus included.
+template <class T>
+bool parse_whole(std::string_view word, T& value) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size();
+}
+
+class ObjChecker {
+ public:
+  explicit ObjChecker(const std::string& file) : file_(file) {}
+
+  ObjOutline check(std::string_view text) {
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+      ++line_;
+      check_line(text.substr(0, end));
+      const bool carriage_return_and_newline = text.substr(end, 2) == "\r\n";
+      text.remove_prefix(std::min(end + (carriage_return_and_newline ? 2 : 1), text.size()));
+    }
+    // A face may come before its vertices, so this is known only now.
+    const auto count = static_cast<long long>(outline_.vertices.size());
+    if (largest_index_ > count) fail_index(largest_index_, largest_index_line_, count);
+    return std::move(outline_);
+  }
+
+ private:
+  [[noreturn]] void fail(std::size_t line, std::string_view wrong, std::string_view allowed) const {
+    throw InputError(fmt::format("{}:{}: {}; {}", file_, line, wrong, allowed));
+  }
+
+  [[noreturn]] void fail_index(long long index, std::size_t line, long long count) const {
+    fail(line, fmt::format("the index {} selects no vertex", index),
+         count == 0 ? "there are no vertices to select"
+                    : fmt::format("1 to {}, or -1 to -{} counted back from the last, is allowed", count, count));
+  }
+
+  static std::string in_quotes(std::string_view word) { return '"' + one_line(word.substr(0, longest_quote)) + '"'; }
+
+  void check_line(std::string_view line) {
+    const std::string_view keyword = next_word(line);
+    if (keyword == "v") check_vertex(line);
+    if (keyword == "f") check_face(line);
+  }
+
+  void check_vertex(std::string_view line) {
+    glm::dvec3 vertex;
+    for (int i = 0; i < 3; ++i) {
+      const std::string_view word = next_word(line);
+      if (word.empty()) fail(line_, fmt::format("a vertex with {} coordinates", i), "three are needed");
+      if (!parse_whole(word, vertex[i]) || !(std::abs(vertex[i]) <= max_coordinate)) {
+        fail(line_, in_quotes(word) + " is no coordinate",
+             fmt::format("a number from {} to {} is allowed", -max_coordinate, max_coordinate));
+      }
+    }
+    outline_.vertices.push_back(vertex);
+  }
+
+  void check_face(std::string_view line) {
+    std::size_t corners = 0;
+    for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
+      check_corner(word);
+      ++corners;
+    }
+    if (corners < 3) fail(line_, fmt::format("a face with {} corners", corners), "at least 3 are needed");
+    ++outline_.faces;
+    outline_.triangles += corners - 2;
+    outline_.most_corners = std::max(outline_.most_corners, corners);
+  }
+
+  /// A corner is V, V/T, V//N or V/T/N: indices of a vertex, a texture coordinate and a normal.
+  void check_corner(std::string_view corner) {
+    std::string_view rest = corner;
+    for (int part = 0; part < 3; ++part) {
+      const std::string_view word = rest.substr(0, rest.find('/'));
+      const bool last = word.size() == rest.size();
+      const bool may_be_empty = part == 1 && !last;
+      int index = 0;
+      if (!(word.empty() && may_be_empty) && !parse_whole(word, index)) break;
+      if (part == 0) check_index(index);
+      if (part > 0 && !word.empty() && index == 0) break;
+      if (last) return;
+      rest.remove_prefix(word.size() + 1);
+    }
+    fail(line_, in_quotes(corner) + " is no corner of a face",
+         "V, V/T, V//N or V/T/N with indices other than 0 is allowed");
+  }
+
+  void check_index(long long index) {
+    const auto count = static_cast<long long>(outline_.vertices.size());
+    if (index == 0 || index < -count) fail_index(index, line_, count);
+    if (index > largest_index_) {
+      largest_index_ = index;
+      largest_index_line_ = line_;
+    }
+  }
+
+  const std::string& file_;
+  ObjOutline outline_;
+  std::size_t line_ = 0;
+  long long largest_index_ = 0;
+  std::size_t largest_index_line_ = 0;
+};
+
+}  // namespace
+
+ObjOutline check_obj(std::string_view text, const std::string& file) { return ObjChecker(file).check(text); }
+
+}  // namespace pyrasim

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every mistake that a scene file can have, and the line that it becomes.
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "../error_of.h"
+#include "error.h"
+#include "scene/load_scene.h"
+#include "temp_folder.h"
+
+namespace pyrasim {
+namespace {
+
+using nlohmann::json;
+
+class LoadSceneError : public TempFolderTest {
+ protected:
+  /// The message for a scene text, without the file's path in front.
+  std::string text_error(const std::string& text) const {
+    const std::string file = write("s.json", text).string();
+    const std::string message = error_of<InputError>([&] { load_scene(file); });
+    return message.find(file) == 0 ? message.substr(file.size()) : message;
+  }
+
+  /// The message for a good scene whose value at `pointer` is `value`, given as JSON.
+  std::string error_with(const std::string& pointer, const std::string& value) const {
+    json scene = good_scene();
+    scene[json::json_pointer(pointer)] = json::parse(value);
+    return text_error(scene.dump());
+  }
+
+  /// The message for a good scene without the member `key` of the object at `pointer`.
+  std::string error_without(const std::string& pointer, const std::string& key) const {
+    json scene = good_scene();
+    scene[json::json_pointer(pointer)].erase(key);
+    return text_error(scene.dump());
+  }
+
+  static json good_scene() {
+    return json::parse(R"({
+      "camera": {"position": [0, 0, 0], "look_at": [1, 0, 0], "up": [0, 1, 0],
+                 "screen": {"columns": 4, "rows": 3, "dx": 1, "dy": 0.5, "dz": 0.5}},
+      "background": [0, 0, 0], "light": {"ambient": 0.2, "direction": [1, -1, 0]},
+      "objects": [{"name": "ball", "type": "sphere", "center": [5, 0, 0], "radius": 1.5, "color": [1, 1, 1]},
+                  {"type": "plane", "normal": [0, 1, 0], "offset": -1, "color": [1, 1, 1]},
+                  {"type": "triangle", "vertices": [[0, 0, 0], [0, 1, 0], [0, 0, 1]], "color": [1, 1, 1]}]})");
+  }
+};
+
+TEST_F(LoadSceneError, TheGoodSceneIsGood) { EXPECT_EQ(text_error(good_scene().dump()), "(no error)"); }
+
+TEST_F(LoadSceneError, UnknownKeys) {
+  EXPECT_EQ(error_with("/lights", "[]"), ": /lights: unknown key; allowed keys: camera, background, light, objects");
+  EXPECT_EQ(error_with("/camera/fov", "1"), ": /camera/fov: unknown key; allowed keys: position, look_at, up, screen");
+  EXPECT_EQ(error_with("/camera/screen/width", "1"),
+            ": /camera/screen/width: unknown key; allowed keys: columns, rows, dx, dy, dz, horizontal_fov");
+  EXPECT_EQ(error_with("/light/color", "1"), ": /light/color: unknown key; allowed keys: ambient, direction");
+  EXPECT_EQ(error_with("/objects/0/normal", "1"),
+            ": /objects/0/normal: unknown key; allowed keys: name, type, color, center, radius");
+  EXPECT_EQ(error_with("/objects/1/radius", "1"),
+            ": /objects/1/radius: unknown key; allowed keys: name, type, color, normal, offset");
+  EXPECT_EQ(error_with("/objects/2/radius", "1"),
+            ": /objects/2/radius: unknown key; allowed keys: name, type, color, vertices");
+  EXPECT_EQ(error_with("/objects/0", R"({"type": "mesh", "file": "m.obj", "color": [1, 1, 1], "x": 0})"),
+            ": /objects/0/x: unknown key; allowed keys: name, type, color, file");
+}
+
+TEST_F(LoadSceneError, MissingKeys) {
+  for (const char* key : {"camera", "objects"}) {
+    EXPECT_EQ(error_without("", key), std::string(": (root): the key \"") + key + "\" is missing; it must be given");
+  }
+  EXPECT_EQ(error_without("/camera", "screen"), ": /camera: the key \"screen\" is missing; it must be given");
+  for (const char* key : {"columns", "rows", "dx", "dy", "dz"}) {
+    EXPECT_EQ(error_without("/camera/screen", key),
+              std::string(": /camera/screen: the key \"") + key + "\" is missing; it must be given");
+  }
+  EXPECT_EQ(
+      error_with("/camera/screen", R"({"columns": 4, "rows": 3})"),
+      ": /camera/screen: the size of the pixels is missing; either horizontal_fov or dx, dy and dz must be given");
+  EXPECT_EQ(error_without("/light", "direction"), ": /light: the key \"direction\" is missing; it must be given");
+  for (const char* key : {"type", "center", "radius", "color"}) {
+    EXPECT_EQ(error_without("/objects/0", key),
+              std::string(": /objects/0: the key \"") + key + "\" is missing; it must be given");
+  }
+  for (const char* key : {"normal", "offset"}) {
+    EXPECT_EQ(error_without("/objects/1", key),
+              std::string(": /objects/1: the key \"") + key + "\" is missing; it must be given");
+  }
+  EXPECT_EQ(error_without("/objects/2", "vertices"), ": /objects/2: the key \"vertices\" is missing; it must be given");
+  EXPECT_EQ(error_with("/objects/0", R"({"type": "mesh", "color": [1, 1, 1]})"),
+            ": /objects/0: the key \"file\" is missing; it must be given");
+}
+
+TEST_F(LoadSceneError, DuplicateKeys) {
+  EXPECT_EQ(text_error(R"({"objects": [{"type": "sphere", "radius": 1, "radius": 1}]})"),
+            ": /objects/0/radius: the key appears twice; a key is allowed once in its object");
+}
+
+TEST_F(LoadSceneError, NoJson) {
+  EXPECT_EQ(text_error("{\n\"camera\" 1}").find(":2:10: syntax error"), 0U) << text_error("{\n\"camera\" 1}");
+  EXPECT_EQ(text_error("[]"), ": (root): it is an array; an object is allowed");
+}
+
+TEST_F(LoadSceneError, WrongTypes) {
+  EXPECT_EQ(error_with("/camera", "[]"), ": /camera: it is an array; an object is allowed");
+  EXPECT_EQ(error_with("/objects", "{}"), ": /objects: it is an object; an array is allowed");
+  EXPECT_EQ(error_with("/objects/1", "7"), ": /objects/1: it is the number 7; an object is allowed");
+  EXPECT_EQ(error_with("/objects/0/name", "7"), ": /objects/0/name: it is the number 7; a string is allowed");
+  EXPECT_EQ(error_with("/objects/0/radius", "\"1\""),
+            ": /objects/0/radius: it is the string \"1\"; a number from 1e-30 to 1e+30 is allowed");
+  EXPECT_EQ(error_with("/objects/0/center", "[1, 2]"),
+            ": /objects/0/center: it has 2 elements; an array of 3 numbers is allowed");
+  EXPECT_EQ(error_with("/objects/0/type", "\"cube\""),
+            ": /objects/0/type: \"cube\" is unknown; one of \"sphere\", \"plane\", \"triangle\", \"mesh\" is allowed");
+  EXPECT_EQ(error_with("/objects/2/vertices", "[[0, 0, 0], [1, 1, 1]]"),
+            ": /objects/2/vertices: it has 2 elements; an array of 3 elements is allowed");
+  EXPECT_EQ(error_with("/light", "null"), ": /light: it is null; an object is allowed");
+}
+
+TEST_F(LoadSceneError, NumbersThatAreNotFinite) {
+  EXPECT_EQ(text_error(R"({"background": [0, 1e999, 0]})"),
+            ": /background/1: the number 1e999 is too large; a magnitude of at most 1.797e308 is allowed");
+  EXPECT_EQ(text_error("{\"background\": [NaN]}"), ":1:17: NaN is not a JSON number; a finite number is allowed");
+}
+
+TEST_F(LoadSceneError, Coordinates) {
+  const std::string allowed = ": 1e+31 is out of range; a number from -1e+30 to 1e+30 is allowed";
+  EXPECT_EQ(error_with("/objects/0/center/1", "1e31"), ": /objects/0/center/1" + allowed);
+  EXPECT_EQ(error_with("/objects/1/offset", "1e31"), ": /objects/1/offset" + allowed);
+  EXPECT_EQ(error_with("/objects/2/vertices/1/2", "1e31"), ": /objects/2/vertices/1/2" + allowed);
+  EXPECT_EQ(error_with("/camera/position/0", "1e31"), ": /camera/position/0" + allowed);
+}
+
+TEST_F(LoadSceneError, Lengths) {
+  for (const std::string value : {"0", "-1.5", "5e-324"}) {
+    const std::string wrong =
+        ": " + json::parse(value).dump() + " is out of range; a number from 1e-30 to 1e+30 is allowed";
+    EXPECT_EQ(error_with("/objects/0/radius", value), ": /objects/0/radius" + wrong);
+    EXPECT_EQ(error_with("/camera/screen/dx", value), ": /camera/screen/dx" + wrong);
+    EXPECT_EQ(error_with("/camera/screen/dy", value), ": /camera/screen/dy" + wrong);
+    EXPECT_EQ(error_with("/camera/screen/dz", value), ": /camera/screen/dz" + wrong);
+  }
+}
+
+TEST_F(LoadSceneError, Directions) {
+  const std::string wrong = ": the vector is zero; a component of at least 1e-30 in magnitude is needed";
+  for (const std::string pointer : {"/objects/1/normal", "/light/direction", "/camera/up"}) {
+    EXPECT_EQ(error_with(pointer, "[0, 0, 0]"), ": " + pointer + wrong);
+    EXPECT_EQ(error_with(pointer, "[0, 1e-200, 0]"), ": " + pointer + wrong);
+  }
+}
+
+TEST_F(LoadSceneError, CamerasWithoutAFrame) {
+  EXPECT_EQ(error_with("/camera/look_at", "[0, 0, 0]"),
+            ": /camera: look_at is the same point as position; two different points are needed");
+  for (const char* up : {"[1, 0, 0]", "[-3, 0, 0]", "[1, 1e-12, 0]"}) {
+    EXPECT_EQ(
+        error_with("/camera/up", up),
+        ": /camera: up is parallel to the viewing direction; an angle between them other than 0 and 180 is needed");
+  }
+  EXPECT_EQ(error_with("/camera/up", "[1, 1e-6, 0]"), "(no error)");
+}
+
+TEST_F(LoadSceneError, ScreenSizes) {
+  for (const std::string key : {"columns", "rows"}) {
+    for (const std::string value : {"0", "-1", "65536"}) {
+      EXPECT_EQ(error_with("/camera/screen/" + key, value),
+                ": /camera/screen/" + key + ": " + value + " is out of range; an integer from 1 to 65535 is allowed");
+    }
+    EXPECT_EQ(error_with("/camera/screen/" + key, "1.5"),
+              ": /camera/screen/" + key + ": it is the number 1.5; an integer from 1 to 65535 is allowed");
+    EXPECT_EQ(error_with("/camera/screen/" + key, "65535"), "(no error)");
+  }
+}
+
+TEST_F(LoadSceneError, FieldOfView) {
+  for (const std::string value : {"0", "180", "-20", "200"}) {
+    EXPECT_EQ(error_with("/camera/screen", R"({"columns": 4, "rows": 3, "horizontal_fov": )" + value + "}"),
+              ": /camera/screen/horizontal_fov: " + value +
+                  " is out of range; a number between 0 and 180, neither included, is allowed");
+  }
+  EXPECT_EQ(error_with("/camera/screen/horizontal_fov", "60"),
+            ": /camera/screen/dx: it is given beside horizontal_fov; "
+            "either horizontal_fov or dx, dy and dz is allowed");
+  EXPECT_EQ(error_with("/camera/screen", R"({"columns": 4, "rows": 3, "horizontal_fov": 1e-40})"),
+            ": /camera/screen/horizontal_fov: the angle is too small; pixels of at least 1e-30 are needed");
+}
+
+TEST_F(LoadSceneError, Colors) {
+  for (const std::string pointer : {"/background", "/objects/0/color", "/objects/1/color", "/objects/2/color"}) {
+    EXPECT_EQ(error_with(pointer, "[0, 0, -0.5]"),
+              ": " + pointer + "/2: -0.5 is out of range; a number from 0 to 4096 is allowed");
+    EXPECT_EQ(error_with(pointer, "[4097, 0, 0]"),
+              ": " + pointer + "/0: 4097 is out of range; a number from 0 to 4096 is allowed");
+  }
+  EXPECT_EQ(error_with("/light/ambient", "1.5"),
+            ": /light/ambient: 1.5 is out of range; a number from 0 to 1 is allowed");
+}
+
+TEST_F(LoadSceneError, TrianglesWithoutArea) {
+  const std::string wrong = ": /objects/2/vertices: the triangle has no area; three points not on one line are needed";
+  EXPECT_EQ(error_with("/objects/2/vertices", "[[1, 2, 3], [1, 2, 3], [4, 5, 7]]"), wrong);
+  EXPECT_EQ(error_with("/objects/2/vertices", "[[0, 0, 0], [0.1, 0.7, 0], [0.3, 2.1, 0]]"), wrong);
+  EXPECT_EQ(error_with("/objects/2/vertices", "[[0, 0, 0], [1e-30, 0, 0], [0, 1e-30, 0]]"), "(no error)");
+}
+
+TEST_F(LoadSceneError, Meshes) {
+  const auto mesh_error = [&](const std::string& file) {
+    return error_with("/objects/2", R"({"type": "mesh", "color": [1, 1, 1], "file": ")" + file + "\"}");
+  };
+  const std::string mesh = write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n").string();
+  EXPECT_EQ(mesh_error("m.obj"),
+            ": /objects/2/file: " + mesh +
+                ":5: the index 4 selects no vertex; 1 to 3, or -1 to -3 counted back from the last, is allowed");
+  EXPECT_EQ(mesh_error("none.obj"), ": /objects/2/file: " + (folder() / "none.obj").string() +
+                                        ": cannot be read: No such file or directory; a readable OBJ file is allowed");
+  EXPECT_EQ(mesh_error(""),
+            ": /objects/2/file: the path is empty or holds a null character; the path of an OBJ file is allowed");
+}
+
+TEST_F(LoadSceneError, MissingFile) {
+  const std::string file = (folder() / "none.json").string();
+  EXPECT_EQ(error_of<InputError>([&] { load_scene(file); }),
+            file + ": cannot be read: No such file or directory; a readable JSON file is allowed");
+}
+
+}  // namespace
+}  // namespace pyrasim

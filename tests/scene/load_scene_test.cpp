@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/load_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <string>
+
+#include "../error_of.h"
+#include "error.h"
+#include "temp_folder.h"
+
+namespace pyrasim {
+namespace {
+
+class LoadScene : public TempFolderTest {
+ protected:
+  Scene load(const std::string& text) const { return load_scene(write("s.json", text)); }
+};
+
+/// A scene whose camera has the members `camera`, with `more` behind it.
+std::string with_camera(const std::string& camera, const std::string& more = R"("objects": [])") {
+  return "{\"camera\": {" + camera + "}, " + more + "}";
+}
+
+const std::string small_screen = R"("screen": {"columns": 4, "rows": 3, "dx": 1, "dy": 0.5, "dz": 0.25})";
+
+TEST_F(LoadScene, Defaults) {
+  const Scene scene = load(with_camera(small_screen));
+  EXPECT_EQ(scene.camera.position, glm::dvec3(0, 0, 0));
+  EXPECT_EQ(scene.camera.look_at, glm::dvec3(1, 0, 0));
+  EXPECT_EQ(scene.camera.up, glm::dvec3(0, 1, 0));
+  EXPECT_EQ(scene.camera.screen.columns, 4);
+  EXPECT_EQ(scene.camera.screen.rows, 3);
+  EXPECT_EQ(scene.camera.screen.dx, 1);
+  EXPECT_EQ(scene.camera.screen.dy, 0.5);
+  EXPECT_EQ(scene.camera.screen.dz, 0.25);
+  EXPECT_EQ(scene.background, glm::dvec3(0, 0, 0));
+  EXPECT_FALSE(scene.light);
+  EXPECT_TRUE(scene.objects.empty());
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(LoadScene, ReadsEverything) {
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Scene scene = load(R"({ // a comment
+    "camera": {"position": [1, 2, 3], "look_at": [4, 5, 6], "up": [0, 0, 2],
+               "screen": {"columns": 4, "rows": 3, "dx": 2, "dy": 0.5, "dz": 0.25}},
+    "background": [0.1, 0.2, 4096], "light": {"ambient": 0.25, "direction": [1, -1, 0.5]},
+    "objects": [{"name": "ball", "type": "sphere", "center": [5, 0, 0], "radius": 1.5, "color": [0.9, 0.5, 0.2]},
+                {"type": "plane", "normal": [0, 2, 0], "offset": -1, "color": [0, 0, 0]},
+                {"type": "triangle", "vertices": [[0, 0, 0], [0, 1, 0], [0, 0, 1]], "color": [1, 1, 1]},
+                {"type": "mesh", "file": "m.obj", "color": [1, 0, 0]}]})");
+  EXPECT_EQ(scene.camera.position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(scene.camera.look_at, glm::dvec3(4, 5, 6));
+  EXPECT_EQ(scene.camera.up, glm::dvec3(0, 0, 2));
+  EXPECT_EQ(scene.background, glm::dvec3(0.1, 0.2, 4096));
+  ASSERT_TRUE(scene.light);
+  EXPECT_EQ(scene.light->ambient, 0.25);
+  EXPECT_EQ(scene.light->direction, glm::dvec3(1, -1, 0.5));
+  ASSERT_EQ(scene.objects.size(), 4U);
+  EXPECT_EQ(scene.objects[0].name, "ball");
+  EXPECT_EQ(scene.objects[0].color, glm::dvec3(0.9, 0.5, 0.2));
+  EXPECT_EQ(std::get<Sphere>(scene.objects[0].surface).center, glm::dvec3(5, 0, 0));
+  EXPECT_EQ(std::get<Sphere>(scene.objects[0].surface).radius, 1.5);
+  EXPECT_EQ(scene.objects[1].name, "");
+  EXPECT_EQ(std::get<Plane>(scene.objects[1].surface).normal, glm::dvec3(0, 2, 0));
+  EXPECT_EQ(std::get<Plane>(scene.objects[1].surface).offset, -1);
+  EXPECT_EQ(std::get<Triangle>(scene.objects[2].surface).vertices[2], glm::dvec3(0, 0, 1));
+  EXPECT_EQ(std::get<Mesh>(scene.objects[3].surface).triangles.size(), 1U);
+}
+
+TEST_F(LoadScene, LightHasNoAmbientByDefault) {
+  EXPECT_EQ(load(with_camera(small_screen, R"("light": {"direction": [0, -1, 0]}, "objects": [])")).light->ambient, 0);
+}
+
+TEST_F(LoadScene, FieldOfViewGivesSquarePixels) {
+  const auto screen = load(with_camera(R"("screen": {"columns": 10, "rows": 3, "horizontal_fov": 90})")).camera.screen;
+  EXPECT_EQ(screen.dx, 1);
+  EXPECT_DOUBLE_EQ(screen.dz, 2 * std::tan(std::numbers::pi / 4) / 10);
+  EXPECT_EQ(screen.dy, screen.dz);
+}
+
+TEST_F(LoadScene, ScreensMayHaveOnePixelOrBeVeryWide) {
+  EXPECT_EQ(load(with_camera(R"("screen": {"columns": 1, "rows": 1, "horizontal_fov": 60})")).camera.screen.rows, 1);
+  EXPECT_EQ(load(with_camera(R"("screen": {"columns": 20000, "rows": 1, "horizontal_fov": 60})")).camera.screen.columns,
+            20000);
+}
+
+TEST_F(LoadScene, MeshPathsBeginAtTheScenesFolderOrAtTheRoot) {
+  std::filesystem::create_directory(folder() / "sub");
+  write("sub/m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto scene = [&](const std::string& path) {
+    return with_camera(small_screen, R"("objects": [{"type": "mesh", "color": [1, 1, 1], "file": ")" + path + R"("}])");
+  };
+  EXPECT_NO_THROW(load(scene("sub/m.obj")));
+  EXPECT_NO_THROW(load(scene((folder() / "sub/m.obj").string())));
+}
+
+TEST_F(LoadScene, OneWarningForAllDegenerateTrianglesOfAMesh) {
+  const std::string mesh = write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\nf 2 2 2\n").string();
+  const Scene scene =
+      load(with_camera(small_screen, R"("objects": [{"type": "mesh", "color": [1, 1, 1], "file": "m.obj"}])"));
+  ASSERT_EQ(scene.warnings.size(), 1U);
+  EXPECT_EQ(scene.warnings[0], (folder() / "s.json").string() +
+                                   ": /objects/0/file: 2 degenerate triangles were skipped; 1 are left of " + mesh);
+}
+
+/// The unit normal of a mesh's triangle.
+glm::dvec3 normal(const Mesh& mesh, std::size_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return glm::normalize(glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+}
+
+class ShippedScene : public testing::TestWithParam<const char*> {};
+
+TEST_P(ShippedScene, LoadsWithoutWarnings) {
+  const Scene scene = load_scene(std::filesystem::path(PYRASIM_SOURCE_DIR) / "scenes" / GetParam());
+  EXPECT_FALSE(scene.objects.empty());
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("keel.json", "spheres.json", "fins.json", "bunny.json"),
+                         [](const auto& parameter) {
+                           const std::string name = parameter.param;
+                           return name.substr(0, name.find('.'));
+                         });
+
+Scene shipped(const char* name) { return load_scene(std::filesystem::path(PYRASIM_SOURCE_DIR) / "scenes" / name); }
+
+TEST(ShippedScenes, KeelsFinAndRudderAreOneFlatObjectEach) {
+  const Scene scene = shipped("keel.json");
+  for (const std::size_t i : {0U, 1U}) {
+    const auto& mesh = std::get<Mesh>(scene.objects[i].surface);
+    const glm::dvec3 first = normal(mesh, 0);
+    for (std::size_t t = 1; t < mesh.triangles.size(); ++t) EXPECT_NEAR(glm::dot(first, normal(mesh, t)), 1, 1e-9);
+  }
+}
+
+TEST(ShippedScenes, SpheresAreFiftyOverTwoAndAHalfDecades) {
+  const Scene scene = shipped("spheres.json");
+  EXPECT_EQ(scene.objects.size(), 50U);
+  double smallest = 1e30;
+  double largest = 0;
+  for (const Object& object : scene.objects) {
+    const double radius = std::get<Sphere>(object.surface).radius;
+    smallest = std::min(smallest, radius);
+    largest = std::max(largest, radius);
+  }
+  EXPECT_GE(largest / smallest, std::pow(10, 2.5));
+}
+
+TEST(ShippedScenes, FinsAreSliversWithoutLight) {
+  const Scene scene = shipped("fins.json");
+  EXPECT_EQ(scene.objects.size(), 24U);
+  EXPECT_FALSE(scene.light);
+}
+
+TEST(ShippedScenes, BunnyHasAllItsTriangles) {
+  EXPECT_EQ(std::get<Mesh>(shipped("bunny.json").objects[0].surface).triangles.size(), 69666U);
+}
+
+}  // namespace
+}  // namespace pyrasim
