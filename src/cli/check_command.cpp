@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "hw_model/machine_spec.h"
+#include "json/json_file.h"
+#include "scene/load_scene.h"
+
+namespace pyrasim::cli {
+namespace {
+
+void check(const std::string& file) {
+  const nlohmann::json document = read_json_file(file);
+  if (document.is_object() && (document.contains("camera") || document.contains("objects"))) {
+    const Scene scene = load_scene(file);
+    for (const std::string& warning : scene.warnings) std::cerr << "pyrasim: warning: " << warning << '\n';
+    std::cout << fmt::format("{}: a scene of {} objects on {}x{} pixels\n", file, scene.objects.size(),
+                             scene.camera.screen.columns, scene.camera.screen.rows);
+    return;
+  }
+  const hw::MachineSpec spec = hw::load_machine(file);
+  std::cout << fmt::format("{}: machine {} with {} intersection units at {} MHz\n", file, spec.name,
+                           spec.intersection_units, spec.clock_mhz);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, Action& action) {
+  auto file = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("check", "Read a scene or machine file and say what is wrong with it.");
+  command->add_option("FILE", *file, "scene or machine file (JSON)")->required();
+  command->callback([&action, file] { action = [file] { check(*file); }; });
+}
+
+}  // namespace pyrasim::cli

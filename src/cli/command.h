@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the commands share: options that several have, and where their output goes.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "image/png.h"
+#include "render/method.h"
+#include "scene/scene.h"
+
+namespace pyrasim::cli {
+
+/// What main() runs once the command line has been read; throws pyrasim::Error.
+using Action = std::function<void()>;
+
+/// Each adds its command to `app`; `action` is set when the command is chosen.
+void add_render_command(CLI::App& app, Action& action);
+void add_simulate_command(CLI::App& app, Action& action);
+void add_sweep_command(CLI::App& app, Action& action);
+void add_check_command(CLI::App& app, Action& action);
+void add_level_command(CLI::App& app, Action& action);
+void add_compare_command(CLI::App& app, Action& action);
+
+/// The whole command line, as a shell would take it; every result names it.
+const std::string& command_line();
+void set_command_line(int argc, char** argv);
+
+/// Options of a command that renders one frame of a scene.
+struct FrameOptions {
+  std::string scene;
+  std::string size;             ///< "COLUMNSxROWS", or empty: as the scene says
+  std::string max_level = "3";  ///< a number or "auto"
+  Leaf leaf = Leaf::mean;
+  ScalarFormat scalar = ScalarFormat::double_precision;
+
+  /// Reads the scene, on the screen asked for; its warnings go to stderr.
+  Scene load() const;
+};
+
+/// Adds SCENE, --size, --max-level and --leaf. --scalar is the caller's choice.
+void add_frame_options(CLI::App& command, FrameOptions& options);
+void add_scalar_option(CLI::App& command, ScalarFormat& scalar);
+void add_leaf_option(CLI::App& command, Leaf& leaf);
+
+/// "640x480". Throws UsageError.
+std::pair<int, int> parse_size(const std::string& text);
+/// A whole number from `least` to `most`; `what` names it in the UsageError.
+int parse_number(const std::string& text, int least, int most, const std::string& what);
+/// A level from 0 to max_level_limit, or what the criterion asks of `screen` for "auto".
+int parse_max_level(const std::string& text, const Screen& screen);
+/// `text` split at `separator`.
+std::vector<std::string> split(const std::string& text, char separator);
+
+/// -o and the picture's format.
+struct ImageOutput {
+  std::string file;
+  PngFormat format;
+  std::string encoding = "srgb";
+
+  void add(CLI::App& command);
+};
+
+/// A file named on the command line, "-" for stdout, opened before the work begins so that a mistake shows at once.
+class TextOutput {
+ public:
+  explicit TextOutput(const std::string& file);
+  TextOutput(TextOutput&&) noexcept;
+  ~TextOutput();
+  void write(const std::string& text);
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;  ///< none: stdout
+};
+
+/// A picture's file, opened before the work begins; nothing where no file is asked for.
+class PictureOutput {
+ public:
+  explicit PictureOutput(ImageOutput options);
+  PictureOutput(PictureOutput&&) noexcept;
+  ~PictureOutput();
+  void write(const Image& image);
+
+ private:
+  struct File;
+  ImageOutput options_;
+  std::unique_ptr<File> file_;
+};
+
+/// A bar on stderr where that is a terminal, else a line every 10 s. `label`: what is going on.
+Progress progress_bar(const std::string& label);
+
+}  // namespace pyrasim::cli

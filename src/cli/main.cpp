@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <systemc>
+
+#include "cli/command.h"
+#include "error.h"
+#include "version.h"
+
+namespace {
+
+/// SystemC's reports go to stderr; stdout is for data.
+void report(const sc_core::sc_report& report, const sc_core::sc_actions& actions) {
+  if (report.get_severity() == sc_core::SC_INFO) return;
+  std::cerr << "pyrasim: SystemC: " << report.what() << '\n';
+  if ((actions & sc_core::SC_THROW) != 0) throw report;
+}
+
+}  // namespace
+
+int sc_main(int argc, char** argv) {
+  using namespace pyrasim;
+  sc_core::sc_report_handler::set_handler(report);
+  cli::set_command_line(argc, argv);
+  CLI::App app(
+      "pyrasim: what does a picture cost, in rays, cycles and accuracy?\n"
+      "Edge anti-aliasing in ray tracing by pixel pyramids, rendered and simulated cycle by cycle.",
+      "pyrasim");
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  app.set_version_flag("--version", fmt::format("pyrasim {}", version()));
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit.");
+  cli::Action action;
+  cli::add_render_command(app, action);
+  cli::add_simulate_command(app, action);
+  cli::add_sweep_command(app, action);
+  cli::add_compare_command(app, action);
+  cli::add_check_command(app, action);
+  cli::add_level_command(app, action);
+  try {
+    app.parse(argc, argv);
+    action();
+    return exit_ok;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << "pyrasim: " << error.what() << "; pyrasim --help lists what is allowed\n";
+    return exit_usage;
+  } catch (const Error& error) {
+    std::cerr << "pyrasim: " << error.what() << '\n';
+    return error.exit_code();
+  } catch (const std::bad_alloc&) {
+    std::cerr << "pyrasim: out of memory\n";
+  } catch (const std::exception& error) {
+    std::cerr << "pyrasim: " << error.what() << '\n';
+  }
+  return exit_run_failed;
+}
+
+int main(int argc, char** argv) {
+  setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
+  return sc_core::sc_elab_and_sim(argc, argv);
+}

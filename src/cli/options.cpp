@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <charconv>
+#include <iostream>
+#include <map>
+
+#include "cli/command.h"
+#include "error.h"
+#include "pyramid/max_level.h"
+#include "scene/load_scene.h"
+
+namespace pyrasim::cli {
+
+Scene FrameOptions::load() const {
+  Scene loaded = load_scene(scene);
+  for (const std::string& warning : loaded.warnings) std::cerr << "pyrasim: warning: " << warning << '\n';
+  if (!size.empty()) {
+    const auto [columns, rows] = parse_size(size);
+    loaded.camera.screen = resized(loaded.camera.screen, columns, rows);
+  }
+  return loaded;
+}
+
+void add_frame_options(CLI::App& command, FrameOptions& options) {
+  command.add_option("SCENE", options.scene, "scene file (JSON)")->required();
+  command.add_option("--size", options.size, "pixels of the screen; its width, distance and the pixel's aspect stay")
+      ->type_name("COLUMNSxROWS");
+  command.add_option("--max-level", options.max_level, "deepest level of subdivision, or auto: what the eye can tell")
+      ->type_name("L|auto")
+      ->capture_default_str();
+  add_leaf_option(command, options.leaf);
+}
+
+void add_leaf_option(CLI::App& command, Leaf& leaf) {
+  static const std::map<std::string, Leaf> names{{"mean", Leaf::mean}, {"drop", Leaf::drop}};
+  command.add_option("--leaf", leaf, "an edge at the deepest level: mean of its corners, or drop (background)")
+      ->transform(CLI::CheckedTransformer(names).description(""))
+      ->type_name("mean|drop")
+      ->default_str("mean");
+}
+
+void add_scalar_option(CLI::App& command, ScalarFormat& scalar) {
+  static const std::map<std::string, ScalarFormat> names{{"double", ScalarFormat::double_precision},
+                                                         {"float", ScalarFormat::single_precision}};
+  command.add_option("--scalar", scalar, "number format of the datapath")
+      ->transform(CLI::CheckedTransformer(names).description(""))
+      ->type_name("double|float")
+      ->default_str("double");
+}
+
+int parse_number(const std::string& text, int least, int most, const std::string& what) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < least || number > most) {
+    throw UsageError(fmt::format("{} {}: a whole number from {} to {} is allowed", what,
+                                 text.empty() ? "(empty)" : text, least, most));
+  }
+  return number;
+}
+
+std::pair<int, int> parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) {
+    throw UsageError(fmt::format("--size {}: COLUMNSxROWS is allowed, as in 640x480", text));
+  }
+  return {parse_number(text.substr(0, cross), 1, max_screen_size, "--size: columns"),
+          parse_number(text.substr(cross + 1), 1, max_screen_size, "--size: rows")};
+}
+
+int parse_max_level(const std::string& text, const Screen& screen) {
+  if (text == "auto") return std::min(required_max_level(pixel_angle(screen)), max_level_limit);
+  return parse_number(text, 0, max_level_limit, "--max-level");
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+}  // namespace pyrasim::cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+#include "cli/command.h"
+#include "error.h"
+#include "image/output_file.h"
+#include "image/write_image.h"
+#include "version.h"
+
+namespace pyrasim::cli {
+namespace {
+
+std::string& stored_command_line() {
+  static std::string line;
+  return line;
+}
+
+/// An argument as a shell would take it.
+std::string quoted(const std::string& argument) {
+  constexpr const char* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./:,@%";
+  if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) return argument;
+  std::string text = "'";
+  for (const char c : argument) {
+    if (c == '\'') {
+      text += "'\\''";
+    } else {
+      text += c;
+    }
+  }
+  text += '\'';
+  return text;
+}
+
+}  // namespace
+
+const std::string& command_line() { return stored_command_line(); }
+
+void set_command_line(int argc, char** argv) {
+  std::string line = "pyrasim";
+  for (int k = 1; k < argc; ++k) line += " " + quoted(argv[k]);
+  stored_command_line() = line;
+}
+
+void ImageOutput::add(CLI::App& command) {
+  command.add_option("-o,--output", file, "picture to write: .png or .pfm")->type_name("IMAGE");
+  command.add_option("--png-bits", format.bits, "bits a PNG sample")
+      ->check(CLI::IsMember({8, 16}).description(""))
+      ->type_name("8|16")
+      ->capture_default_str();
+  command.add_option("--png-encoding", encoding, "transfer function of a PNG, stated in the file")
+      ->check(CLI::IsMember({"srgb", "linear"}).description(""))
+      ->type_name("srgb|linear")
+      ->capture_default_str();
+}
+
+struct TextOutput::File {
+  OutputFile output;
+};
+
+TextOutput::TextOutput(const std::string& file) {
+  if (file != "-") file_.reset(new File{OutputFile(file)});
+}
+TextOutput::TextOutput(TextOutput&&) noexcept = default;
+TextOutput::~TextOutput() = default;
+
+void TextOutput::write(const std::string& text) {
+  if (file_) {
+    file_->output.write(text);
+    file_->output.commit();
+    return;
+  }
+  std::cout << text << std::flush;
+  if (!std::cout) throw RunError("stdout: cannot write");
+}
+
+struct PictureOutput::File {
+  OutputFile output;
+};
+
+PictureOutput::PictureOutput(ImageOutput options) : options_(std::move(options)) {
+  if (options_.file.empty()) return;
+  options_.format.srgb = options_.encoding == "srgb";
+  image_file_kind(options_.file);
+  file_.reset(new File{OutputFile(options_.file)});
+}
+PictureOutput::PictureOutput(PictureOutput&&) noexcept = default;
+PictureOutput::~PictureOutput() = default;
+
+void PictureOutput::write(const Image& image) {
+  if (!file_) return;
+  write_image(file_->output, image, options_.format,
+              {{"Software", fmt::format("pyrasim {}", version())}, {"Comment", command_line()}});
+}
+
+Progress progress_bar(const std::string& label) {
+  using Clock = std::chrono::steady_clock;
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  auto last = std::make_shared<Clock::time_point>(Clock::now());
+  return [=](double share) {
+    const auto now = Clock::now();
+    if (now - *last < (terminal ? std::chrono::milliseconds(100) : std::chrono::seconds(10)) &&
+        (!terminal || share < 1)) {
+      return;
+    }
+    *last = now;
+    const int percent = static_cast<int>(share * 100);
+    if (!terminal) {
+      std::cerr << fmt::format("{}: {} %\n", label, percent);
+      return;
+    }
+    constexpr int width = 40;
+    const auto filled = static_cast<std::size_t>(share * width);
+    std::cerr << (share < 1 ? fmt::format("\r{} [{:<{}}] {:3} %", label, std::string(filled, '#'), width, percent)
+                            : fmt::format("\r{:{}}\r", "", label.size() + width + 10))
+              << std::flush;
+  };
+}
+
+}  // namespace pyrasim::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/statistics_document.h"
+
+namespace pyrasim::cli {
+namespace {
+
+struct RenderCommand {
+  FrameOptions frame;
+  ImageOutput image;
+  std::string method = "pyramid";
+  Reuse reuse = Reuse::none;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  std::string stats;
+
+  void run() const {
+    const Scene scene = frame.load();
+    Method chosen = parse_method(method);
+    chosen.pyramids = {parse_max_level(frame.max_level, scene.camera.screen), frame.leaf, reuse, threads};
+    chosen.sampling.seed = seed;
+    PictureOutput picture(image);
+    std::optional<TextOutput> statistics;
+    if (!stats.empty()) statistics.emplace(stats);
+    const Rendering rendering = render(scene, chosen, frame.scalar, threads, progress_bar("rendering"));
+    picture.write(rendering.image);
+    if (statistics) statistics->write(render_document(frame.scene, chosen, frame.scalar, rendering).dump(2) + "\n");
+  }
+};
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RenderCommand>();
+  CLI::App* command = app.add_subcommand("render", "Render a frame without timing, by pyramids or by a peer.");
+  add_frame_options(*command, options->frame);
+  add_scalar_option(*command, options->frame.scalar);
+  options->image.add(*command);
+  command->add_option("--method", options->method, "pyramids, or a peer: N x N rays a pixel, regular or jittered")
+      ->type_name("pyramid|point|grid:N|jitter:N")
+      ->capture_default_str();
+  static const std::map<std::string, Reuse> reuses{
+      {"none", Reuse::none}, {"pixel", Reuse::pixel}, {"frame", Reuse::frame}};
+  command->add_option("--reuse", options->reuse, "which points are traced once only: none, a pixel's, the frame's")
+      ->transform(CLI::CheckedTransformer(reuses).description(""))
+      ->type_name("none|pixel|frame")
+      ->default_str("none");
+  command->add_option("--seed", options->seed, "of jitter:N")->capture_default_str();
+  command->add_option("--threads", options->threads, "0: one for each core; results do not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_option("--stats", options->stats, "statistics as JSON; - for stdout")->type_name("FILE|-");
+  command->callback([&action, options] { action = [options] { options->run(); }; });
+}
+
+}  // namespace pyrasim::cli

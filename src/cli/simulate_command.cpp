@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <iostream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/machine_options.h"
+#include "cli/statistics_document.h"
+#include "error.h"
+#include "hw_model/trace/vcd_trace.h"
+
+namespace pyrasim::cli {
+namespace {
+
+struct SimulateCommand {
+  FrameOptions frame;
+  ImageOutput image;
+  MachineOptions machine;
+  hw::Engine engine = hw::Engine::decoupled;
+  std::string stats;
+  std::string trace;
+
+  void run() const {
+    const Scene scene = frame.load();
+    const hw::MachineSpec spec = machine.load();
+    hw::SimulationOptions options;
+    options.max_level = parse_max_level(frame.max_level, scene.camera.screen);
+    options.leaf = frame.leaf;
+    options.engine = engine;
+    options.scalar = frame.scalar;
+    options.progress = progress_bar("simulating");
+    check_addressable(scene.camera.screen, options.max_level);
+    PictureOutput picture(image);
+    std::optional<TextOutput> statistics;
+    if (!stats.empty()) statistics.emplace(stats);
+    std::optional<TextOutput> vcd;
+    if (!trace.empty()) vcd.emplace(trace);
+
+    hw::Processor processor("processor", scene, spec, options);
+    std::optional<hw::VcdTrace> recorder;
+    if (vcd) recorder.emplace(processor);
+    sc_core::sc_start();
+    if (!processor.complete()) {
+      throw LimitError(fmt::format("deadlock: no stage can go on\n{}", processor.state()));
+    }
+    picture.write(processor.image());
+    if (vcd) vcd->write(recorder->text());
+    if (statistics) statistics->write(simulation_document(frame.scene, options, processor).dump(2) + "\n");
+    (stats == "-" || trace == "-" ? std::cerr : std::cout)
+        << simulation_table(frame.scene, options.max_level, processor);
+  }
+};
+
+}  // namespace
+
+void add_simulate_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<SimulateCommand>();
+  CLI::App* command = app.add_subcommand("simulate", "Simulate a frame on a machine, cycle by cycle.");
+  add_frame_options(*command, options->frame);
+  add_scalar_option(*command, options->frame.scalar);
+  options->image.add(*command);
+  options->machine.add(*command);
+  static const std::map<std::string, hw::Engine> engines{{"decoupled", hw::Engine::decoupled},
+                                                         {"lockstep", hw::Engine::lockstep}};
+  command->add_option("--engine", options->engine, "decoupled is fast; lockstep is plain SystemC, with the same cycles")
+      ->transform(CLI::CheckedTransformer(engines).description(""))
+      ->type_name("decoupled|lockstep")
+      ->default_str("decoupled");
+  command->add_option("--stats", options->stats, "statistics as JSON; - for stdout")->type_name("FILE|-");
+  command->add_option("--trace", options->trace, "states of units and fill of FIFOs over time")->type_name("FILE.vcd");
+  command->callback([&action, options] { action = [options] { options->run(); }; });
+}
+
+}  // namespace pyrasim::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "cli/statistics_document.h"
+
+namespace pyrasim::cli {
+namespace {
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::uint64_t number) {
+  std::string text = std::to_string(number);
+  for (auto k = static_cast<std::ptrdiff_t>(text.size()) - 3; k > 0; k -= 3)
+    text.insert(static_cast<std::size_t>(k), ",");
+  return text;
+}
+
+std::string frame_lines(const FrameStatistics& frame, int max_level) {
+  std::string text;
+  text += fmt::format("rays          {:>12}   primary {} + subdivision {}\n", grouped(frame.total_rays()),
+                      grouped(frame.primary_rays()), grouped(frame.subdivision_rays_traced()));
+  text += fmt::format("subdivisions  {:>12}   terminal nodes {}\n\n", grouped(frame.subdivisions),
+                      grouped(frame.terminal_nodes));
+  text += fmt::format("level  {:>12}  {:>12}  {:>12}  {:>12}\n", "rays", "empty", "covered", "edge");
+  for (std::size_t level = 0; level <= static_cast<std::size_t>(max_level); ++level) {
+    const auto& cases = frame.cases_by_level[level];
+    text += fmt::format("{:>5}  {:>12}  {:>12}  {:>12}  {:>12}\n", level, grouped(frame.rays_by_level[level]),
+                        grouped(cases[0]), grouped(cases[1]), grouped(cases[2]));
+  }
+  return text;
+}
+
+std::string unit_lines(const hw::Processor& processor) {
+  std::string text =
+      fmt::format("\n{:<24}  {:>7}  {:>7}  {:>7}  {:>7}\n", "unit", "busy", "starved", "blocked", "idle");
+  const auto cycles = static_cast<double>(processor.cycles());
+  for (const hw::Stage* stage : processor.stages()) {
+    const hw::StageStatistics unit = stage->statistics(processor.cycles());
+    const auto percent = [cycles](hw::Cycle part) { return 100 * static_cast<double>(part) / cycles; };
+    text += fmt::format("{:<24}  {:>5.1f} %  {:>5.1f} %  {:>5.1f} %  {:>5.1f} %\n", stage->basename(),
+                        percent(unit.busy), percent(unit.starved), percent(unit.blocked), percent(unit.idle));
+  }
+  for (const hw::OmittedUnit& unit : processor.omitted()) {
+    text += fmt::format("not built: {}; {}\n", unit.name, unit.reason);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string simulation_table(const std::string& scene, int max_level, const hw::Processor& processor) {
+  const hw::MachineSpec& spec = processor.spec();
+  const bool met = processor.cycles() <= spec.budget();
+  std::string text = fmt::format("{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n\n", scene,
+                                 processor.image().columns(), processor.image().rows(), max_level, spec.name);
+  text += frame_lines(processor.statistics(), max_level);
+  text += unit_lines(processor);
+  text += fmt::format("\ncycles        {:>12}   {:.1f} frames per second at {} MHz\n", grouped(processor.cycles()),
+                      frames_per_second(processor), spec.clock_mhz);
+  text += fmt::format("budget        {:>12}   for {} frames per second: {}\n", grouped(spec.budget()), spec.goal_fps,
+                      met ? "met" : "missed");
+  return text;
+}
+
+}  // namespace pyrasim::cli

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/statistics_document.h"
+
+#include <nlohmann/json.hpp>
+
+#include "image/image_hash.h"
+#include "version.h"
+
+namespace pyrasim::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json head(const std::string& scene, const std::string& method, int max_level, ScalarFormat scalar, Leaf leaf,
+                  const Image& image) {
+  return {{"pyrasim", version()},
+          {"command", command_line()},
+          {"scene", scene},
+          {"method", method},
+          {"max_level", max_level},
+          {"leaf", leaf == Leaf::mean ? "mean" : "drop"},
+          {"scalar", scalar == ScalarFormat::double_precision ? "double" : "float"},
+          {"columns", image.columns()},
+          {"rows", image.rows()}};
+}
+
+void add_counts(ordered_json& document, const FrameStatistics& statistics, int max_level) {
+  ordered_json rays_by_level = ordered_json::array();
+  ordered_json cases_by_level = ordered_json::array();
+  for (std::size_t level = 0; level <= static_cast<std::size_t>(max_level); ++level) {
+    rays_by_level.push_back(statistics.rays_by_level[level]);
+    const auto& cases = statistics.cases_by_level[level];
+    cases_by_level.push_back({{"empty", cases[static_cast<std::size_t>(PyramidCase::empty)]},
+                              {"covered", cases[static_cast<std::size_t>(PyramidCase::covered)]},
+                              {"edge", cases[static_cast<std::size_t>(PyramidCase::edge)]}});
+  }
+  document["rays"] = {{"primary", statistics.primary_rays()},
+                      {"subdivision", statistics.subdivision_rays_traced()},
+                      {"total", statistics.total_rays()},
+                      {"by_level", rays_by_level}};
+  document["cases"] = {{"by_level", cases_by_level}};
+  document["subdivisions"] = statistics.subdivisions;
+  document["terminal_nodes"] = statistics.terminal_nodes;
+  ordered_json surface_tests = ordered_json::object();
+  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+    surface_tests[std::string(surface_kind_names[kind])] = statistics.work.surface_tests[kind];
+  }
+  document["work"] = {{"box_tests", statistics.work.box_tests}, {"surface_tests", surface_tests}};
+}
+
+ordered_json machine_document(const hw::Processor& processor) {
+  const hw::MachineSpec& spec = processor.spec();
+  ordered_json omitted = ordered_json::array();
+  for (const hw::OmittedUnit& unit : processor.omitted()) {
+    omitted.push_back({{"name", unit.name}, {"reason", unit.reason}});
+  }
+  ordered_json elaborated = ordered_json::array();
+  for (const hw::Stage* stage : processor.stages()) elaborated.push_back(stage->basename());
+  return {{"name", spec.name},
+          {"clock_mhz", spec.clock_mhz},
+          {"cycles", processor.cycles()},
+          {"frames_per_second", frames_per_second(processor)},
+          {"budget",
+           {{"goal_fps", spec.goal_fps}, {"cycles", spec.budget()}, {"met", processor.cycles() <= spec.budget()}}},
+          {"elaborated", elaborated},
+          {"omitted", omitted}};
+}
+
+ordered_json units_document(const hw::Processor& processor) {
+  ordered_json units = ordered_json::array();
+  for (const hw::Stage* stage : processor.stages()) {
+    const hw::StageStatistics statistics = stage->statistics(processor.cycles());
+    units.push_back({{"name", stage->basename()},
+                     {"busy", statistics.busy},
+                     {"starved", statistics.starved},
+                     {"blocked", statistics.blocked},
+                     {"idle", statistics.idle}});
+  }
+  return units;
+}
+
+ordered_json fifos_document(const hw::Processor& processor) {
+  ordered_json fifos = ordered_json::array();
+  for (const hw::FifoBase* fifo : processor.fifos()) {
+    const hw::FifoStatistics& statistics = fifo->statistics();
+    const double mean = static_cast<double>(statistics.token_cycles) / static_cast<double>(processor.cycles());
+    fifos.push_back({{"name", fifo->basename()},
+                     {"depth", statistics.depth},
+                     {"max", statistics.max},
+                     {"mean", mean},
+                     {"tokens", statistics.tokens},
+                     {"reader_starved", statistics.starved},
+                     {"writer_blocked", statistics.blocked}});
+  }
+  return fifos;
+}
+
+}  // namespace
+
+double frames_per_second(const hw::Processor& processor) {
+  return processor.spec().clock_mhz * 1e6 / static_cast<double>(processor.cycles());
+}
+
+ordered_json render_document(const std::string& scene, const Method& method, ScalarFormat scalar,
+                             const Rendering& rendering) {
+  const int max_level = method.pyramid ? method.pyramids.max_level : 0;
+  const FrameStatistics& statistics = rendering.statistics;
+  ordered_json document = head(scene, method.name(), max_level, scalar, method.pyramids.leaf, rendering.image);
+  add_counts(document, statistics, max_level);
+  const std::uint64_t none = statistics.primary_rays() + subdivision_rays * statistics.subdivisions;
+  const std::uint64_t pixel = none - statistics.repeated_in_pixel;
+  document["rays_by_reuse"] = {{"none", none}, {"pixel", pixel}, {"frame", pixel - statistics.repeated_between_pixels}};
+  document["image"] = {{"sha256", image_sha256(rendering.image)}};
+  return document;
+}
+
+ordered_json simulation_document(const std::string& scene, const hw::SimulationOptions& options,
+                                 const hw::Processor& processor) {
+  ordered_json document = head(scene, "pyramid", options.max_level, options.scalar, options.leaf, processor.image());
+  document["engine"] = options.engine == hw::Engine::decoupled ? "decoupled" : "lockstep";
+  add_counts(document, processor.statistics(), options.max_level);
+  document["rays_by_reuse"] = {{"none", processor.statistics().total_rays()}};
+  document["image"] = {{"sha256", image_sha256(processor.image())}};
+  document["machine"] = machine_document(processor);
+  document["units"] = units_document(processor);
+  document["fifos"] = fifos_document(processor);
+  return document;
+}
+
+}  // namespace pyrasim::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What --stats writes: one JSON document, described by docs/schemas/statistics.schema.json.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "cli/command.h"
+#include "hw_model/processor.h"
+
+namespace pyrasim::cli {
+
+/// Of a rendered frame.
+nlohmann::ordered_json render_document(const std::string& scene, const Method& method, ScalarFormat scalar,
+                                       const Rendering& rendering);
+
+/// Of a simulated frame.
+nlohmann::ordered_json simulation_document(const std::string& scene, const hw::SimulationOptions& options,
+                                           const hw::Processor& processor);
+
+/// At the machine's clock.
+double frames_per_second(const hw::Processor& processor);
+
+/// The simulation's statistics as a short table for people.
+std::string simulation_table(const std::string& scene, int max_level, const hw::Processor& processor);
+
+}  // namespace pyrasim::cli

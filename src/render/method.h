@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ways to render a frame, as a user names them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "render/sampling_renderer.h"
+#include "trace/datapath.h"
+
+namespace pyrasim {
+
+/// Pyramids, or one of the peers: `point`, `grid:N`, `jitter:N`.
+struct Method {
+  bool pyramid = true;
+  PyramidOptions pyramids;   ///< where pyramid
+  SamplingOptions sampling;  ///< otherwise
+
+  /// "pyramid", "point", "grid:4", "jitter:4".
+  std::string name() const;
+};
+
+/// Reads a method's name; the other options stay at their defaults. Throws UsageError.
+Method parse_method(std::string_view name);
+
+/// Throws UsageError where the screen has more grid points at `max_level` than a GridPoint can address.
+void check_addressable(const Screen& screen, int max_level);
+
+/// Renders `scene` by `method` in the number format `scalar`, on `threads` threads (0: one for each core). Throws
+/// UsageError where the screen has more grid points than can be addressed.
+Rendering render(const Scene& scene, const Method& method, ScalarFormat scalar, int threads,
+                 const Progress& progress = {});
+
+}  // namespace pyrasim
