@@ -3,9 +3,13 @@
 
 namespace pyrasim::hw {
 
-DecoupledEngine::DecoupledEngine(const std::vector<Stage*>& stages, ViewVectorGenerator& generator,
+DecoupledEngine::DecoupledEngine(const std::vector<Stage*>& stages, PixelScan& scan, ViewVectorGenerator& generator,
                                  SubdivisionController* controller, Cycle round_trip, Cycle request_latency)
-    : generator_(generator), controller_(controller), round_trip_(round_trip), request_latency_(request_latency) {
+    : scan_(scan),
+      generator_(generator),
+      controller_(controller),
+      round_trip_(round_trip),
+      request_latency_(request_latency) {
   for (Stage* stage : stages) {
     stage->attach(&work_);
     stage->wake();
@@ -28,12 +32,17 @@ void DecoupledEngine::run() {
 
 void DecoupledEngine::run_generator(const Start& first) {
   const Cycle echo = first.at() + round_trip_;
-  Start start = first;
-  do {
-    generator_.Stage::fire(start);
+  Cycle horizon = std::min(echo, controller_date()) + request_latency_;
+  for (Start start = first; start.known() && start.at() < horizon; start = generator_.next()) {
+    generator_.account(start);
+    generator_.ViewVectorGenerator::fire(start.at());
+    if (generator_.begins_request()) {  // room for the controller's next request
+      horizon = std::min(echo, controller_date()) + request_latency_;
+    }
+    if (generator_.sees_next_corner()) continue;
+    scan_.drain();
     if (!generator_.sees_next_corner()) return;
-    start = generator_.next();
-  } while (start.known() && start.at() < std::min(echo, controller_date()) + request_latency_);
+  }
 }
 
 }  // namespace pyrasim::hw

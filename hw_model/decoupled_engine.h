@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "hw_model/pixel_scan.h"
 #include "hw_model/stage.h"
 #include "hw_model/subdivision_controller.h"
 #include "hw_model/view_vector_generator.h"
@@ -21,8 +22,8 @@ class DecoupledEngine {
  public:
   /// `controller`: none where nothing is subdivided. `round_trip`: the least cycles from a ray's issue to a request
   /// that it causes being visible to the generator, less `request_latency`, the controller's.
-  DecoupledEngine(const std::vector<Stage*>& stages, ViewVectorGenerator& generator, SubdivisionController* controller,
-                  Cycle round_trip, Cycle request_latency);
+  DecoupledEngine(const std::vector<Stage*>& stages, PixelScan& scan, ViewVectorGenerator& generator,
+                  SubdivisionController* controller, Cycle round_trip, Cycle request_latency);
 
   /// Runs until no stage can fire.
   void run();
@@ -32,6 +33,7 @@ class DecoupledEngine {
   Cycle controller_date() { return controller_ == nullptr ? never : controller_->next().at(); }
 
   WorkList work_;
+  PixelScan& scan_;
   ViewVectorGenerator& generator_;
   SubdivisionController* controller_;
   Cycle round_trip_;

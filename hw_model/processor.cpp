@@ -44,8 +44,8 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
   }
   const Cycle round_trip =
       spec.view_vector_generator.latency + spec.intersection_latency + spec.pyramid_classifier.latency;
-  engine_ = std::make_unique<DecoupledEngine>(stages_, view_vector_generator_, controller_.get(), round_trip,
-                                              spec.subdivision_controller.latency);
+  engine_ = std::make_unique<DecoupledEngine>(stages_, pixel_scan_, view_vector_generator_, controller_.get(),
+                                              round_trip, spec.subdivision_controller.latency);
   sc_core::sc_spawn(
       [this, period] {
         engine_->run();

@@ -26,7 +26,7 @@ Start PyramidClassifier::next() {
 }
 
 void PyramidClassifier::plan() {
-  step_ = {};
+  step_.reads_sample = step_.reads_parent = step_.has_node = false;
   if (samples_ == subdivision_rays) {
     step_.known = true;
     plan_subpixel(3);
@@ -47,14 +47,20 @@ void PyramidClassifier::plan() {
 
 void PyramidClassifier::plan_corner(const SampleMessage& message) {
   if (message.tag.pixel == no_pixel) return;
-  const std::size_t size = corner_row_.size();
-  const auto back = [&](std::size_t corners) { return corner_row_[(corner_ + size - corners) % size]; };
+  const std::size_t last = corner_row_.size() - 1;
+  const Sample& upper_left = corner_row_[corner_];  // the oldest
+  const Sample& upper_right = corner_row_[corner_ == last ? 0 : corner_ + 1];
+  const Sample& lower_left = corner_row_[corner_ == 0 ? last : corner_ - 1];  // the newest
   step_.has_node = true;
   step_.node.tag = message.tag;
-  step_.node.corners = {back(size), back(size - 1), back(1), message.sample};
-  step_.node.pyramid = {{(message.tag.pixel / columns_) << max_level_, (message.tag.pixel % columns_) << max_level_},
-                        0};
+  step_.node.corners = {upper_left, upper_right, lower_left, message.sample};
+  step_.node.pyramid = {};
+  step_.node.closes_family = false;
   classify_node();
+  if (!step_.node.subdivide) return;
+  const std::uint32_t mu = message.tag.pixel / columns_;
+  const std::uint32_t nu = message.tag.pixel % columns_;
+  step_.node.pyramid.corner = {mu << max_level_, nu << max_level_};
 }
 
 void PyramidClassifier::plan_subpixel(std::size_t child) {

@@ -3,9 +3,7 @@
 
 namespace pyrasim::hw {
 
-void Stage::account(const Start& start) {
-  assert(start.known() && start.at() >= ready_);
-  if (start.at() == ready_) return;
+void Stage::account_wait(const Start& start) {
   const Cycle waited = start.at() - ready_;
   StageObserver::State state = StageObserver::State::idle;  // before the first firing the frame has not begun here
   if (statistics_.firings == 0) {

@@ -101,6 +101,12 @@ class Stage : public sc_core::sc_module, public FifoEnd {
   /// Registers the process that runs this stage on the SystemC kernel; before the simulation starts.
   void run_in_lockstep(sc_core::sc_time period);
 
+  /// Books the cycles from the end of the last firing to `start`.
+  void account(const Start& start) {
+    assert(start.known() && start.at() >= ready_);
+    if (start.at() != ready_) account_wait(start);
+  }
+
  protected:
   explicit Stage(const sc_core::sc_module_name& name) : sc_module(name) {}
   /// The firing at `now` keeps the stage busy for `cycles` >= 1.
@@ -111,9 +117,8 @@ class Stage : public sc_core::sc_module, public FifoEnd {
     if (observer_ != nullptr) observer_->span(StageObserver::State::busy, now, ready_);
   }
 
-  void account(const Start& start);
-
  private:
+  void account_wait(const Start& start);
   void lockstep();
 
   Cycle ready_ = 0;

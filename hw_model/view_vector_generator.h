@@ -28,6 +28,8 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
 
   /// Whether no token that is still unseen could be a corner that goes first.
   bool sees_next_corner() const { return rays_left_ > 0 || !pixel_scan->empty(); }
+  /// Whether the last firing took up a request.
+  bool begins_request() const { return rays_left_ == subdivision_rays - 1; }
   /// Rays issued to form subpixels of each level; [0] are the corners of the raster.
   const std::array<std::uint64_t, max_level_limit + 1>& rays_by_level() const { return rays_by_level_; }
 
