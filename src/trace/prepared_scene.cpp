@@ -122,17 +122,38 @@ class Preparation {
     if (node.count > 0) return convert_leaf(node);
     const std::size_t index = prepared_.nodes.size();
     prepared_.nodes.emplace_back();
-    for (std::uint32_t k = 0; k < 2; ++k) {
-      const HierarchyNode& child = hierarchy_.nodes[node.first + k];
+    const std::vector<const HierarchyNode*> children = widened(node);
+    prepared_.nodes[index].children = static_cast<std::uint32_t>(children.size());
+    for (std::size_t k = 0; k < node_width; ++k) {
+      const BoundingBox box = k < children.size() ? children[k]->box : BoundingBox{};
       for (int axis = 0; axis < 3; ++axis) {
         auto& bounds = prepared_.nodes[index].bounds[static_cast<std::size_t>(axis)];
-        bounds[0][k] = static_cast<Scalar>(child.box.lower[axis]);
-        bounds[1][k] = static_cast<Scalar>(child.box.upper[axis]);
+        bounds[0][k] = static_cast<Scalar>(box.lower[axis]);
+        bounds[1][k] = static_cast<Scalar>(box.upper[axis]);
       }
-      const std::int32_t reference = convert(child);
+      const std::int32_t reference = k < children.size() ? convert(*children[k]) : 0;
       prepared_.nodes[index].child[k] = reference;
     }
     return static_cast<std::int32_t>(index);
+  }
+
+  /// The children of a wide node: those of the binary one, the largest inner one replaced by its own while there is
+  /// room.
+  std::vector<const HierarchyNode*> widened(const HierarchyNode& node) const {
+    const auto* const nodes = hierarchy_.nodes.data();
+    std::vector<const HierarchyNode*> children{nodes + node.first, nodes + node.first + 1};
+    while (children.size() < node_width) {
+      const HierarchyNode** largest = nullptr;
+      for (const HierarchyNode*& child : children) {
+        if (child->count > 0) continue;
+        if (largest == nullptr || child->box.half_area() > (*largest)->box.half_area()) largest = &child;
+      }
+      if (largest == nullptr) break;
+      const std::uint32_t first = (*largest)->first;
+      *largest = nodes + first;
+      children.push_back(nodes + first + 1);
+    }
+    return children;
   }
 
   /// Surfaces end up in the order of the leaves, each leaf's of one kind side by side.

@@ -10,14 +10,19 @@
 
 namespace pyrasim {
 
+/// Children of an inner node of the hierarchy at most.
+inline constexpr std::size_t node_width = 4;
+
 /// A scene made ready for a datapath of one number format: in observer's coordinates, rounded once to `Scalar`, with a
 /// bounding volume hierarchy over its bounded surfaces. Planes have no bounds and stand apart.
 template <class Scalar>
 struct PreparedScene {
-  /// An inner node: the boxes of its two children side by side, so that one visit tests both.
+  /// An inner node: the boxes of its two to four children side by side, so that one visit tests all. The boxes of
+  /// children that it does not have are inside out and never hit.
   struct alignas(64) Node {
-    std::array<std::array<std::array<Scalar, 2>, 2>, 3> bounds;  ///< [axis][0 lower, 1 upper][child]
-    std::array<std::int32_t, 2> child;                           ///< index into nodes, or ~index into leaves
+    std::array<std::array<std::array<Scalar, node_width>, 2>, 3> bounds;  ///< [axis][0 lower, 1 upper][child]
+    std::array<std::int32_t, node_width> child;                           ///< index into nodes, or ~index into leaves
+    std::uint32_t children;
   };
   struct Leaf {
     std::uint32_t first_sphere, spheres, first_triangle, triangles;

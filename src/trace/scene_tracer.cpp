@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "trace/hierarchy_builder.h"
 #include "trace/plane.h"
@@ -29,42 +31,42 @@ Sample SceneTracer<Scalar>::trace(const Vector<Scalar>& view_vector, Work& work)
   return best.index == no_object ? Sample{} : shade(view_vector, best);
 }
 
+/// The nearest child first; the others wait, and are dropped if a hit before their box turns up meanwhile.
 template <class Scalar>
 void SceneTracer<Scalar>::traverse(const ViewRay<Scalar>& ray, Candidate& best, Work& work) const {
   struct Pending {
     Scalar entry;
     std::int32_t child;
   };
-  std::array<Pending, max_hierarchy_depth> stack;
-  std::size_t pending = 0;
-  std::uint64_t visits = 0;
+  std::array<Pending, (node_width - 1) * max_hierarchy_depth> stack;
+  Pending* top = stack.data();
+  const SlabTest<Scalar> test_slabs(ray);
+  const auto* const nodes = scene_.nodes.data();
+  std::uint64_t box_tests = 0;
   std::int32_t current = scene_.root;
   for (;;) {
-    if (current >= 0) {
-      const auto& node = scene_.nodes[static_cast<std::size_t>(current)];
-      ++visits;
-      const SlabHits<Scalar> hits = test_slabs<Scalar>(node, ray, best.nearest.t);
-      if (hits.mask == 3) {
-        const std::size_t far = hits.entry[1] < hits.entry[0] ? 0 : 1;
-        stack[pending++] = {hits.entry[far], node.child[far]};
-        current = node.child[1 - far];
-        continue;
+    while (current >= 0) {
+      const auto& node = nodes[current];
+      box_tests += node.children;
+      const SlabHits<Scalar> hits = test_slabs(node, best.nearest.t);
+      if (hits.mask == 0) break;
+      auto first = static_cast<std::size_t>(std::countr_zero(hits.mask));
+      for (unsigned others = hits.mask & (hits.mask - 1); others != 0; others &= others - 1) {
+        auto later = static_cast<std::size_t>(std::countr_zero(others));
+        if (hits.entry[later] < hits.entry[first]) std::swap(first, later);
+        *top++ = {hits.entry[later], node.child[later]};
       }
-      if (hits.mask != 0) {
-        current = node.child[hits.mask >> 1U];
-        continue;
-      }
-    } else {
-      test_leaf(scene_.leaves[static_cast<std::size_t>(~current)], ray, best, work);
+      current = node.child[first];
     }
+    if (current < 0) test_leaf(scene_.leaves[static_cast<std::size_t>(~current)], ray, best, work);
     do {
-      if (pending == 0) {
-        work.box_tests += 2 * visits;
+      if (top == stack.data()) {
+        work.box_tests += box_tests;
         return;
       }
-      --pending;
-    } while (stack[pending].entry > best.nearest.t);
-    current = stack[pending].child;
+      --top;
+    } while (top->entry > best.nearest.t);
+    current = top->child;
   }
 }
 
