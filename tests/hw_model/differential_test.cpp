@@ -2,7 +2,6 @@
 // Machines at random: the decoupled engine against lockstep, which is plain SystemC.
 #include <gtest/gtest.h>
 
-#include <iostream>
 #include <random>
 
 #include "../test_scenes.h"
@@ -38,7 +37,7 @@ class RandomMachines : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RandomMachines, EnginesAgreeInEveryAccount) {
   const std::uint64_t seed = GetParam();
-  std::cout << "seed " << seed << std::endl;
+  SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937_64 random(seed);
   Simulation simulation;
   struct Run {
@@ -69,7 +68,8 @@ TEST_P(RandomMachines, EnginesAgreeInEveryAccount) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomMachines, testing::Range<std::uint64_t>(1, 13));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomMachines, testing::Range<std::uint64_t>(1, 13),
+                         [](const auto& test) { return std::to_string(test.param); });
 
 }  // namespace
 }  // namespace pyrasim::hw
