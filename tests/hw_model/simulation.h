@@ -37,8 +37,18 @@ inline MachineSpec with_all_fifos(MachineSpec spec, std::size_t depth) {
   return spec;
 }
 
-inline Rendering reference(const Scene& scene, int max_level, Leaf leaf = Leaf::mean) {
-  return render_pyramids(scene, SceneTracer<double>(scene), {.max_level = max_level, .leaf = leaf, .threads = 1});
+/// What the reference renderer makes of the frame.
+inline Rendering reference(const Scene& scene, const SimulationOptions& simulation) {
+  const PyramidOptions options{.max_level = simulation.max_level, .leaf = simulation.leaf, .threads = 1};
+  if (simulation.scalar == ScalarFormat::single_precision) {
+    return render_pyramids(scene, SceneTracer<float>(scene), options);
+  }
+  return render_pyramids(scene, SceneTracer<double>(scene), options);
+}
+inline Rendering reference(const Scene& scene, int max_level) {
+  SimulationOptions simulation;
+  simulation.max_level = max_level;
+  return reference(scene, simulation);
 }
 
 /// Image and counts of a machine are the reference renderer's.
