@@ -20,8 +20,9 @@ namespace pyrasim::hw {
 /// as nothing that it set off could have come back to it.
 class DecoupledEngine {
  public:
-  /// `controller`: none where nothing is subdivided. `round_trip`: the least cycles from a ray's issue to a request
-  /// that it causes being visible to the generator, less `request_latency`, the controller's.
+  /// `controller`: none where nothing is subdivided. `round_trip`: the least cycles from a ray's issue to a firing of
+  /// the controller that it makes possible; `request_latency`: from there to the request being visible to the
+  /// generator.
   DecoupledEngine(const std::vector<Stage*>& stages, PixelScan& scan, ViewVectorGenerator& generator,
                   SubdivisionController* controller, Cycle round_trip, Cycle request_latency);
 

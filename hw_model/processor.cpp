@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace pyrasim::hw {
 namespace {
 
@@ -42,8 +44,9 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
     for (Stage* stage : stages_) stage->run_in_lockstep(period);
     return;
   }
-  const Cycle round_trip =
-      spec.view_vector_generator.latency + spec.intersection_latency + spec.pyramid_classifier.latency;
+  // A sample that reaches the classifier lets it read a parent, and the parent's cell is free a cycle later: that can
+  // release the controller before the classifier's own result does.
+  const Cycle round_trip = spec.view_vector_generator.latency + spec.intersection_latency + 1;
   engine_ = std::make_unique<DecoupledEngine>(stages_, pixel_scan_, view_vector_generator_, controller_.get(),
                                               round_trip, spec.subdivision_controller.latency);
   sc_core::sc_spawn(
@@ -127,6 +130,12 @@ void Processor::list_omitted() {
     omitted_.push_back({fmt::format("intersection_unit.{}_tester", surface_kind_names[kind]),
                         fmt::format("the scene has no {}", surface_kind_names[kind])});
   }
+}
+
+Cycle Processor::cycles() const {
+  Cycle end = 0;
+  for (const Stage* stage : stages_) end = std::max(end, stage->ready());
+  return end;
 }
 
 FrameStatistics Processor::statistics() const {

@@ -50,8 +50,8 @@ class Processor final : public sc_core::sc_module {
   /// A line for each stage and FIFO: what it holds and waits for. For a deadlock's report.
   std::string state();
 
-  /// The frame's cycles: from 0 to the end of the last pixel's store.
-  Cycle cycles() const { return frame_buffer_.ready(); }
+  /// The frame's cycles: from 0 until the last pixel is stored and every stage is at rest.
+  Cycle cycles() const;
   const Image& image() const { return frame_buffer_.image(); }
   FrameStatistics statistics() const;
 

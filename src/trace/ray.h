@@ -15,13 +15,13 @@ struct ViewRay {
   Vector<Scalar> direction;
   Vector<Scalar> inverse;                ///< 1 / direction, finite: see below
   Scalar inverse_length_squared;         ///< 1 / direction . direction
-  std::array<std::uint8_t, 3> backward;  ///< per axis 1 where the direction is negative
+  std::array<std::uint8_t, 3> backward;  ///< per axis 1 where the inverse is negative
 
   explicit ViewRay(const Vector<Scalar>& v)
       : direction(v),
         inverse(finite_inverse(v.x), finite_inverse(v.y), finite_inverse(v.z)),
         inverse_length_squared(Scalar(1) / dot(v, v)),
-        backward{v.x < 0, v.y < 0, v.z < 0} {}
+        backward{std::signbit(v.x), std::signbit(v.y), std::signbit(v.z)} {}
 
  private:
   /// A zero component counts as a tiny one. Then 0 times the inverse is 0, not NaN, a box that contains the origin's

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pyramid/terminal_color.h"
+
+#include <gtest/gtest.h>
+
+#include "../test_scenes.h"
+#include "pyramid/trace_tree.h"
+
+namespace pyrasim {
+namespace {
+
+/// Background (1/8, 1/4, 1/2); object 0 is (1, 1/2, 0), object 1 is (0, 1/4, 3/4).
+Palette palette() {
+  Scene scene = empty_scene(1, 1, 1);
+  scene.objects = {object(Sphere{{5, 0, 0}, 1}, {1, 0.5, 0}), object(Sphere{{9, 0, 0}, 1}, {0, 0.25, 0.75})};
+  return Palette(scene);
+}
+
+glm::vec3 leaf_color(const CornerSamples& corners, Leaf leaf) {
+  return single_node_result(palette().terminal_color(classify(corners), corners, leaf));
+}
+
+constexpr Sample nothing{};
+
+TEST(TerminalColor, EmptyIsTheBackground) {
+  for (const Leaf leaf : {Leaf::mean, Leaf::drop}) {
+    EXPECT_EQ(leaf_color({nothing, nothing, nothing, nothing}, leaf), glm::vec3(0.125, 0.25, 0.5));
+  }
+}
+
+TEST(TerminalColor, CoveredIsTheColorTimesTheMeanShading) {
+  for (const Leaf leaf : {Leaf::mean, Leaf::drop}) {
+    // (1/2 + 1/4 + 1 + 1/4) / 4 = 1/2
+    EXPECT_EQ(leaf_color({{{0, 0.5}, {0, 0.25}, {0, 1}, {0, 0.25}}}, leaf), glm::vec3(0.5, 0.25, 0));
+  }
+}
+
+TEST(TerminalColor, EdgeIsTheMeanOfTheFourSamples) {
+  // One of object 0 at half brightness, two of object 1, one of the background:
+  // red (1/2 + 0 + 0 + 1/8) / 4, green (1/4 + 1/4 + 1/4 + 1/4) / 4, blue (0 + 3/4 + 3/4 + 1/2) / 4
+  EXPECT_EQ(leaf_color({{{0, 0.5}, {1, 1}, {1, 1}, nothing}}, Leaf::mean), glm::vec3(0.15625, 0.25, 0.5));
+}
+
+TEST(TerminalColor, DroppedEdgeIsTheBackground) {
+  EXPECT_EQ(leaf_color({{{0, 0.5}, {1, 1}, {1, 1}, nothing}}, Leaf::drop), glm::vec3(0.125, 0.25, 0.5));
+}
+
+/// Sums of the four corners do not depend on which corner is which.
+TEST(TerminalColor, EdgeDoesNotDependOnTheOrderOfCorners) {
+  CornerSamples corners{{{0, 0.3}, {1, 0.7}, {0, 0.1}, nothing}};
+  const glm::vec3 expected = leaf_color(corners, Leaf::mean);
+  for (int k = 0; k < 4; ++k) {
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+    EXPECT_EQ(leaf_color(corners, Leaf::mean), expected);
+  }
+}
+
+TEST(SampleColor, IsTheColorTimesTheShading) {
+  EXPECT_EQ(single_node_result(palette().sample_color({1, 0.5})), glm::vec3(0, 0.125, 0.375));
+  EXPECT_EQ(single_node_result(palette().sample_color({1, 0.5}, 2)), glm::vec3(0, 0.0625, 0.1875));
+  EXPECT_EQ(single_node_result(palette().sample_color(nothing)), glm::vec3(0.125, 0.25, 0.5));
+}
+
+}  // namespace
+}  // namespace pyrasim

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes that tests make by hand or by a seed. The camera stands in the observer's own frame: x forward, y up, z right.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <utility>
+
+#include "scene/scene.h"
+
+namespace pyrasim {
+
+/// A screen at distance 1 with square pixels.
+inline Scene empty_scene(int columns, int rows, double pixel) {
+  Scene scene;
+  scene.camera.screen = {columns, rows, 1.0, pixel, pixel};
+  scene.background = {0.125, 0.25, 0.5};
+  return scene;
+}
+
+inline Object object(Surface surface, const glm::dvec3& color = {1, 1, 1}) { return {"", color, std::move(surface)}; }
+
+inline glm::dvec3 random_vector(std::mt19937_64& random, const glm::dvec3& lower, const glm::dvec3& upper) {
+  glm::dvec3 v;
+  for (int k = 0; k < 3; ++k) v[k] = std::uniform_real_distribution<double>(lower[k], upper[k])(random);
+  return v;
+}
+
+struct RandomContents {
+  int spheres = 0;
+  int triangles = 0;
+  int planes = 0;
+};
+
+/// Surfaces of mixed sizes scattered in front of the observer, in a random order, lit.
+inline Scene random_scene(std::uint64_t seed, const RandomContents& contents, int columns, int rows) {
+  std::mt19937_64 random(seed);
+  Scene scene = empty_scene(columns, rows, 1.2 / columns);
+  scene.light = Light{0.25, {0.6, -1, 0.4}};
+  const auto color = [&] { return random_vector(random, {0, 0, 0}, {1, 1, 1}); };
+  const auto place = [&] { return random_vector(random, {3, -3, -4}, {12, 3, 4}); };
+  for (int k = 0; k < contents.spheres; ++k) {
+    const double radius = std::uniform_real_distribution<double>(0.05, 1.2)(random);
+    scene.objects.push_back(object(Sphere{place(), radius}, color()));
+  }
+  for (int k = 0; k < contents.triangles; ++k) {
+    const glm::dvec3 a = place();
+    const auto near = [&] { return a + random_vector(random, glm::dvec3(-2), glm::dvec3(2)); };
+    const glm::dvec3 b = near();
+    scene.objects.push_back(object(Triangle{{a, b, near()}}, color()));
+  }
+  for (int k = 0; k < contents.planes; ++k) {
+    const glm::dvec3 normal = random_vector(random, glm::dvec3(-1), glm::dvec3(1));
+    const double offset = std::uniform_real_distribution<double>(-15, -6)(random);
+    scene.objects.push_back(object(Plane{normal, offset}, color()));
+  }
+  for (std::size_t k = scene.objects.size(); k > 1; --k) std::swap(scene.objects[k - 1], scene.objects[random() % k]);
+  return scene;
+}
+
+}  // namespace pyrasim
