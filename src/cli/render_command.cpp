@@ -28,7 +28,7 @@ struct RenderCommand {
     if (!stats.empty()) statistics.emplace(stats);
     const Rendering rendering = render(scene, chosen, frame.scalar, threads, progress_bar("rendering"));
     picture.write(rendering.image);
-    if (statistics) statistics->write(render_document(frame.scene, chosen, frame.scalar, rendering).dump(2) + "\n");
+    if (statistics) statistics->write(text_of(render_document(frame.scene, chosen, frame.scalar, rendering)));
   }
 };
 

@@ -48,7 +48,7 @@ struct SimulateCommand {
     }
     picture.write(processor.image());
     if (vcd) vcd->write(recorder->text());
-    if (statistics) statistics->write(simulation_document(frame.scene, options, processor).dump(2) + "\n");
+    if (statistics) statistics->write(text_of(simulation_document(frame.scene, options, processor)));
     (stats == "-" || trace == "-" ? std::cerr : std::cout)
         << simulation_table(frame.scene, options.max_level, processor);
   }

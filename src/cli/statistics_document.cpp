@@ -101,6 +101,10 @@ double frames_per_second(const hw::Processor& processor) {
   return processor.spec().clock_mhz * 1e6 / static_cast<double>(processor.cycles());
 }
 
+std::string text_of(const ordered_json& document) {
+  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
 ordered_json render_document(const std::string& scene, const Method& method, ScalarFormat scalar,
                              const Rendering& rendering) {
   const int max_level = method.pyramid ? method.pyramids.max_level : 0;
