@@ -59,7 +59,7 @@ struct SweepCommand {
     std::vector<Point> points;
     for (const std::string& size : split(sizes, ',')) {
       Scene resized_scene = loaded;
-      if (!size.empty()) {
+      if (!sizes.empty()) {
         const auto [columns, rows] = parse_size(size);
         resized_scene.camera.screen = resized(loaded.camera.screen, columns, rows);
       }
