@@ -82,7 +82,7 @@ ordered_json units_document(const hw::Processor& processor) {
 ordered_json fifos_document(const hw::Processor& processor) {
   ordered_json fifos = ordered_json::array();
   for (const hw::FifoBase* fifo : processor.fifos()) {
-    const hw::FifoStatistics& statistics = fifo->statistics();
+    const hw::FifoStatistics statistics = fifo->statistics(processor.cycles());
     const double mean = static_cast<double>(statistics.token_cycles) / static_cast<double>(processor.cycles());
     fifos.push_back({{"name", fifo->basename()},
                      {"depth", statistics.depth},
