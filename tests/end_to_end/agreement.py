@@ -15,7 +15,8 @@ class Agreement(tool.EndToEnd):
     def test_render_and_simulate(self):
         for scene, *options in (
                 ["keel.json", "--size", "64x48"], ["spheres.json", "--size", "40x30", "--leaf", "drop"],
-                ["fins.json", "--size", "48x36", "--max-level", "5"], ["keel.json", "--size", "40x30", "--max-level", "0"],
+                ["fins.json", "--size", "48x36", "--max-level", "5"],
+                ["keel.json", "--size", "40x30", "--max-level", "0"],
                 ["keel.json", "--size", "33x17", "--scalar", "float", "--max-level", "2"],
                 ["spheres.json", "--size", "1x9"]):
             with self.subTest(scene=scene, options=options):

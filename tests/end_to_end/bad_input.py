@@ -38,7 +38,8 @@ class BadInput(tool.EndToEnd):
                 ("twice", good.replace('"rows"', '"columns"'), "/camera/screen/columns: the key appears twice"),
                 ("deep", "[" * 100000, "nested too deeply")):
             self.refused_everywhere(self.write(f"{name}.json", text), says)
-        self.refused_everywhere(self.write("latin1.json", good.encode().replace(b"sphere", b"sph\xe8re")), "latin1.json")
+        latin1 = good.encode().replace(b"sphere", b"sph\xe8re")
+        self.refused_everywhere(self.write("latin1.json", latin1), "latin1.json")
 
     def test_scene(self):
         screen = {"columns": 8, "rows": 6, "horizontal_fov": 40}
@@ -108,7 +109,8 @@ class BadInput(tool.EndToEnd):
                 ('{"clock_mhz": "fast"}', '/clock_mhz: it is the string "fast"'), ("[]", "it is an array"),
                 ('{"clock_mhz": NaN}', "NaN"), ('{"name": 1}', "/name"), ('{"name": "a", "name": "b"}', "twice"),
                 ('{"intersection": {"units": 0}}', "/intersection/units: 0 is out of range"),
-                ('{"intersection": {"units": 1.5}}', "/intersection/units"), ('{"fifos": 8}', "/fifos: it is the number"),
+                ('{"intersection": {"units": 1.5}}', "/intersection/units"),
+                ('{"fifos": 8}', "/fifos: it is the number"),
                 ('{"fifos": {"all": 65537}}', "/fifos/all"), ('{"pixel_scan": {"pool": 1}}', "/pixel_scan/pool"),
                 ('{"intersection": {"cost": {"ray": 0}}}', "/intersection/cost/ray"),
                 ('{"subdivision_controller": {"pool": 6}}', "at least 7")):

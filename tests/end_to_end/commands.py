@@ -47,7 +47,8 @@ class Commands(tool.EndToEnd):
             self.refused(USAGE, "render", KEEL, option, value, says=option)
         self.refused(USAGE, "simulate", KEEL, "--engine", "fast", says="decoupled or lockstep")
         for assignment, says in (
-                ("clock=1", "/clock: unknown key"), ("intersection.units=four", '/intersection/units: it is the string'),
+                ("clock=1", "/clock: unknown key"),
+                ("intersection.units=four", '/intersection/units: it is the string'),
                 ("intersection.units=0", "/intersection/units: 0 is out of range"), ("intersection.units", '"="'),
                 ("=1", "key is empty"), ("intersection..units=1", "key is empty"), ("fifos.all=[", "--set fifos.all=["),
                 ("clock_mhz=NaN", "clock_mhz"), ("clock_mhz=1e999", "too large"), ("clock_mhz=", "value is missing"),
