@@ -42,8 +42,9 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
     for (Stage* stage : stages_) stage->run_in_lockstep(period);
     return;
   }
-  const Cycle round_trip =
-      spec.view_vector_generator.latency + spec.intersection_latency + spec.pyramid_classifier.latency;
+  // A ray first tells on the controller when the classifier takes its sample: a parent read frees a cell a cycle later,
+  // which can be before the classifier's own result.
+  const Cycle round_trip = spec.view_vector_generator.latency + spec.intersection_latency + 1;
   engine_ = std::make_unique<DecoupledEngine>(stages_, view_vector_generator_, controller_.get(), round_trip,
                                               spec.subdivision_controller.latency);
   sc_core::sc_spawn(

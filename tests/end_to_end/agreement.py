@@ -42,6 +42,37 @@ class Agreement(tool.EndToEnd):
             documents.append(document)
         self.assertEqual(*documents)
 
+    def test_engines_where_a_freed_cell_comes_before_a_result(self):
+        """One cell for parents and a slow classifier: that a parent was read lets the next request go long before the
+        classifier's results could."""
+        for scene, size, level, settings in (
+                ("keel.json", "9x10", 2, {
+                    "intersection.units": 16, "intersection.latency": 20, "intersection.cost.sphere": 0,
+                    "intersection.cost.box_test": 0, "intersection.cost.triangle": 1, "pixel_scan.interval": 13,
+                    "view_vector_generator.latency": 1, "view_vector_generator.interval": 2,
+                    "pyramid_classifier.latency": 40, "pyramid_classifier.interval": 2, "tree_accumulator.latency": 1,
+                    "tree_accumulator.interval": 5, "frame_buffer.latency": 40, "frame_buffer.interval": 13,
+                    "tree_accumulator.pixels": 2, "fifos.all": 1, "fifos.pixel_scan_to_view_vector_generator": 2,
+                    "fifos.intersection_unit_to_pyramid_classifier": 3,
+                    "fifos.pyramid_classifier_to_tree_accumulator": 9, "fifos.tree_accumulator_to_frame_buffer": 3}),
+                ("fins.json", "14x4", 4, {
+                    "intersection.units": 5, "intersection.latency": 1, "intersection.cost.box_test": 0,
+                    "intersection.cost.sphere": 1, "intersection.cost.triangle": 5, "pixel_scan.latency": 2,
+                    "view_vector_generator.latency": 1, "pyramid_classifier.latency": 40,
+                    "subdivision_controller.latency": 1, "subdivision_controller.interval": 2,
+                    "subdivision_controller.pool": 11, "tree_accumulator.latency": 1, "tree_accumulator.interval": 5,
+                    "tree_accumulator.pixels": 3, "fifos.all": 1, "fifos.pixel_scan_to_view_vector_generator": 2,
+                    "fifos.view_vector_generator_to_intersection_unit": 3,
+                    "fifos.pyramid_classifier_to_subdivision_controller": 3,
+                    "fifos.pyramid_classifier_to_tree_accumulator": 2})):
+            command = ["simulate", SCENES / scene, "--size", size, "--max-level", level]
+            for path, value in settings.items():
+                command += ["--set", f"{path}={value}"]
+            documents = [self.stats(*command, "--engine", engine) for engine in ("decoupled", "lockstep")]
+            for document in documents:
+                del document["command"], document["engine"]
+            self.assertEqual(*documents)
+
     def test_threads_and_reuse(self):
         frame = ["render", SCENES / "keel.json", "--size", "80x60", "--max-level", "4"]
         plain = self.stats(*frame)
