@@ -33,9 +33,9 @@ struct FifoStatistics {
   std::size_t depth = 0;
   std::size_t max = 0;             ///< most tokens in it at once
   std::uint64_t token_cycles = 0;  ///< sum over tokens of the cycles spent in it; divided by the frame's: the mean
-  std::uint64_t tokens = 0;
-  Cycle starved = 0;  ///< cycles that the reader waited for a token from here
-  Cycle blocked = 0;  ///< cycles that the writer waited for room in here
+  std::uint64_t tokens = 0;        ///< that were read
+  Cycle starved = 0;               ///< cycles that the reader waited for a token from here
+  Cycle blocked = 0;               ///< cycles that the writer waited for room in here
 };
 
 /// Everything about a FIFO but its tokens.
@@ -47,7 +47,20 @@ class FifoBase : public sc_core::sc_prim_channel, public sc_core::sc_interface {
     statistics_.depth = depth;
   }
 
+  /// Of the tokens that have been read so far.
   const FifoStatistics& statistics() const { return statistics_; }
+  /// Of a frame of `cycles` cycles that is over: with the tokens that nobody read.
+  FifoStatistics statistics(Cycle cycles) const {
+    FifoStatistics statistics = statistics_;
+    std::size_t unfreed = unfreed_;
+    for (std::size_t token = read_; token < written_; ++token) {
+      const Cycle written_at = written(token & mask_);
+      while (unfreed < read_ && freed_[unfreed & mask_] <= written_at) ++unfreed;
+      statistics.max = std::max(statistics.max, token - unfreed + 1);
+      statistics.token_cycles += cycles - written_at;
+    }
+    return statistics;
+  }
   void count_starved(Cycle cycles) { statistics_.starved += cycles; }
   void count_blocked(Cycle cycles) { statistics_.blocked += cycles; }
   void connect(FifoEnd& writer, FifoEnd& reader) {
@@ -85,6 +98,9 @@ class FifoBase : public sc_core::sc_prim_channel, public sc_core::sc_interface {
     if (observer_ != nullptr) observer_->read(now);
     if (was_full && writer_ != nullptr) writer_->wake();
   }
+
+  /// When the token in a cell was written.
+  virtual Cycle written(std::size_t cell) const = 0;
 
   std::size_t mask() const { return mask_; }
   std::size_t next_write() const { return written_ & mask_; }
@@ -136,6 +152,9 @@ class Fifo final : public FifoBase {
     cells_[next_write()] = {message, now, now + latency};
     note_write(now);
   }
+
+ protected:
+  Cycle written(std::size_t cell) const override { return cells_[cell].written; }
 
  private:
   struct Cell {

@@ -18,6 +18,7 @@ namespace pyrasim::hw {
 struct StageTiming {
   Cycle latency = 1;   ///< from a firing to its result being visible to the reader
   Cycle interval = 1;  ///< from a firing to the next (initiation interval)
+  friend bool operator==(const StageTiming&, const StageTiming&) = default;
 };
 
 /// What a ray costs an intersection unit, in cycles: the unit is occupied for the sum over the ray's work.
@@ -25,6 +26,7 @@ struct IntersectionCost {
   Cycle ray = 1;  ///< for every ray
   Cycle box_test = 1;
   std::array<Cycle, surface_kinds> surface_test{2, 1, 3};  ///< by SurfaceKind
+  friend bool operator==(const IntersectionCost&, const IntersectionCost&) = default;
 };
 
 /// Depths of the FIFOs, in tokens: one name for each kind of arrow in the block diagram.
@@ -37,6 +39,7 @@ struct FifoDepths {
   std::size_t subdivision_controller_to_pyramid_classifier = 32;
   std::size_t pyramid_classifier_to_tree_accumulator = 8;
   std::size_t tree_accumulator_to_frame_buffer = 8;
+  friend bool operator==(const FifoDepths&, const FifoDepths&) = default;
 };
 
 /// A machine. Immutable once loaded; see docs/machine.md for what each number means.
@@ -59,6 +62,7 @@ struct MachineSpec {
 
   /// Cycles that a frame may take at the goal's frame rate.
   Cycle budget() const { return static_cast<Cycle>(clock_mhz * 1e6 / goal_fps); }
+  friend bool operator==(const MachineSpec&, const MachineSpec&) = default;
 };
 
 /// The least `subdivision_pool` that cannot deadlock: one pixel's tree, released depth first, holds at most

@@ -17,7 +17,7 @@ void check(const std::string& file) {
   const nlohmann::json document = read_json_file(file);
   if (document.is_object() && (document.contains("camera") || document.contains("objects"))) {
     const Scene scene = load_scene(file);
-    for (const std::string& warning : scene.warnings) std::cerr << "pyrasim: warning: " << warning << '\n';
+    print_warnings(scene);
     std::cout << fmt::format("{}: a scene of {} objects on {}x{} pixels\n", file, scene.objects.size(),
                              scene.camera.screen.columns, scene.camera.screen.rows);
     return;

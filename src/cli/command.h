@@ -48,6 +48,9 @@ void add_frame_options(CLI::App& command, FrameOptions& options);
 void add_scalar_option(CLI::App& command, ScalarFormat& scalar);
 void add_leaf_option(CLI::App& command, Leaf& leaf);
 
+/// What the loader has to remark on a scene, on stderr, a line each.
+void print_warnings(const Scene& scene);
+
 /// "640x480". Throws UsageError.
 std::pair<int, int> parse_size(const std::string& text);
 /// A whole number from `least` to `most`; `what` names it in the UsageError.

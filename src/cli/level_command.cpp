@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -43,6 +44,17 @@ struct LevelCommand {
   }
 };
 
+/// Like CLI::Range, but NaN is outside too, and the limits show as they are.
+CLI::Validator between(double least, double most) {
+  const auto check = [=](const std::string& text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool fits = error == std::errc() && end == text.data() + text.size() && number >= least && number <= most;
+    return fits ? std::string() : fmt::format("{}: a number from {} to {} is allowed", text, least, most);
+  };
+  return {check, ""};
+}
+
 }  // namespace
 
 void add_level_command(CLI::App& app, Action& action) {
@@ -51,12 +63,13 @@ void add_level_command(CLI::App& app, Action& action) {
       "level",
       "The MAX_LEVEL criterion step by step: from a scene's screen, from a pixel's size and the viewing "
       "distance, or else for the article's display of 2^-10 rad a pixel.");
-  const CLI::Range positive(1e-30, 1e30);
   command->add_option("SCENE", options->scene, "scene file: its pixels seen from its centre of projection");
-  command->add_option("--pixel-size", options->pixel_size, "side of a pixel, in any unit of length")->check(positive);
-  command->add_option("--distance", options->distance, "from the eye to the screen, in the same unit")->check(positive);
+  command->add_option("--pixel-size", options->pixel_size, "side of a pixel, in any unit of length")
+      ->check(between(1e-30, 1e30));
+  command->add_option("--distance", options->distance, "from the eye to the screen, in the same unit")
+      ->check(between(1e-30, 1e30));
   command->add_option("--eye", options->eye, "angle that the eye resolves, rad")
-      ->check(CLI::Range(1e-12, 1.0))
+      ->check(between(1e-12, 1))
       ->default_str("2^-13");
   command->callback([&action, options] { action = [options] { options->run(); }; });
 }

@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "error.h"
+#include "json/json_file.h"
 #include "version.h"
 
 namespace {
@@ -18,9 +19,14 @@ void report(const sc_core::sc_report& report, const sc_core::sc_actions& actions
   if ((actions & sc_core::SC_THROW) != 0) throw report;
 }
 
-}  // namespace
+/// Help, or a mistake on the command line.
+int finish_parsing(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  std::cerr << "pyrasim: " << pyrasim::one_line(error.what()) << "; pyrasim --help lists what is allowed\n";
+  return pyrasim::exit_usage;
+}
 
-int sc_main(int argc, char** argv) {
+int run(int argc, char** argv) {
   using namespace pyrasim;
   sc_core::sc_report_handler::set_handler(report);
   cli::set_command_line(argc, argv);
@@ -30,7 +36,7 @@ int sc_main(int argc, char** argv) {
       "pyrasim");
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.set_version_flag("--version", fmt::format("pyrasim {}", version()));
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // that there is one is checked below: the name of an unknown one is worth a word
   app.footer("Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit.");
   cli::Action action;
   cli::add_render_command(app, action);
@@ -41,21 +47,32 @@ int sc_main(int argc, char** argv) {
   cli::add_level_command(app, action);
   try {
     app.parse(argc, argv);
+    if (!action) throw CLI::RequiredError("A command");
     action();
     return exit_ok;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << "pyrasim: " << error.what() << "; pyrasim --help lists what is allowed\n";
-    return exit_usage;
-  } catch (const Error& error) {
+    return finish_parsing(app, error);
+  } catch (const LimitError& error) {  // of several lines: the state of the machine
     std::cerr << "pyrasim: " << error.what() << '\n';
+    return error.exit_code();
+  } catch (const Error& error) {
+    std::cerr << "pyrasim: " << one_line(error.what()) << '\n';
     return error.exit_code();
   } catch (const std::bad_alloc&) {
     std::cerr << "pyrasim: out of memory\n";
   } catch (const std::exception& error) {
-    std::cerr << "pyrasim: " << error.what() << '\n';
+    std::cerr << "pyrasim: " << one_line(error.what()) << '\n';
   }
   return exit_run_failed;
+}
+
+}  // namespace
+
+int sc_main(int argc, char** argv) {
+  const int code = run(argc, argv);
+  if (std::cout.flush() || code != pyrasim::exit_ok) return code;
+  std::cerr << "pyrasim: stdout: cannot write\n";
+  return pyrasim::exit_run_failed;
 }
 
 int main(int argc, char** argv) {

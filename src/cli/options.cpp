@@ -3,10 +3,11 @@
 
 #include <charconv>
 #include <iostream>
-#include <map>
 
+#include "cli/choice.h"
 #include "cli/command.h"
 #include "error.h"
+#include "json/json_file.h"
 #include "pyramid/max_level.h"
 #include "scene/load_scene.h"
 
@@ -14,7 +15,7 @@ namespace pyrasim::cli {
 
 Scene FrameOptions::load() const {
   Scene loaded = load_scene(scene);
-  for (const std::string& warning : loaded.warnings) std::cerr << "pyrasim: warning: " << warning << '\n';
+  print_warnings(loaded);
   if (!size.empty()) {
     const auto [columns, rows] = parse_size(size);
     loaded.camera.screen = resized(loaded.camera.screen, columns, rows);
@@ -33,20 +34,18 @@ void add_frame_options(CLI::App& command, FrameOptions& options) {
 }
 
 void add_leaf_option(CLI::App& command, Leaf& leaf) {
-  static const std::map<std::string, Leaf> names{{"mean", Leaf::mean}, {"drop", Leaf::drop}};
-  command.add_option("--leaf", leaf, "an edge at the deepest level: mean of its corners, or drop (background)")
-      ->transform(CLI::CheckedTransformer(names).description(""))
-      ->type_name("mean|drop")
-      ->default_str("mean");
+  add_choice(command, "--leaf", leaf, {{"mean", Leaf::mean}, {"drop", Leaf::drop}},
+             "an edge at the deepest level: mean of its corners, or drop (background)");
 }
 
 void add_scalar_option(CLI::App& command, ScalarFormat& scalar) {
-  static const std::map<std::string, ScalarFormat> names{{"double", ScalarFormat::double_precision},
-                                                         {"float", ScalarFormat::single_precision}};
-  command.add_option("--scalar", scalar, "number format of the datapath")
-      ->transform(CLI::CheckedTransformer(names).description(""))
-      ->type_name("double|float")
-      ->default_str("double");
+  add_choice(command, "--scalar", scalar,
+             {{"double", ScalarFormat::double_precision}, {"float", ScalarFormat::single_precision}},
+             "number format of the datapath");
+}
+
+void print_warnings(const Scene& scene) {
+  for (const std::string& warning : scene.warnings) std::cerr << "pyrasim: warning: " << one_line(warning) << '\n';
 }
 
 int parse_number(const std::string& text, int least, int most, const std::string& what) {

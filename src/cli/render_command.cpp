@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/choice.h"
 #include "cli/command.h"
 #include "cli/statistics_document.h"
 
@@ -28,7 +28,7 @@ struct RenderCommand {
     if (!stats.empty()) statistics.emplace(stats);
     const Rendering rendering = render(scene, chosen, frame.scalar, threads, progress_bar("rendering"));
     picture.write(rendering.image);
-    if (statistics) statistics->write(render_document(frame.scene, chosen, frame.scalar, rendering).dump(2) + "\n");
+    if (statistics) statistics->write(text_of(render_document(frame.scene, chosen, frame.scalar, rendering)));
   }
 };
 
@@ -43,12 +43,9 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_option("--method", options->method, "pyramids, or a peer: N x N rays a pixel, regular or jittered")
       ->type_name("pyramid|point|grid:N|jitter:N")
       ->capture_default_str();
-  static const std::map<std::string, Reuse> reuses{
-      {"none", Reuse::none}, {"pixel", Reuse::pixel}, {"frame", Reuse::frame}};
-  command->add_option("--reuse", options->reuse, "which points are traced once only: none, a pixel's, the frame's")
-      ->transform(CLI::CheckedTransformer(reuses).description(""))
-      ->type_name("none|pixel|frame")
-      ->default_str("none");
+  add_choice(*command, "--reuse", options->reuse,
+             {{"none", Reuse::none}, {"pixel", Reuse::pixel}, {"frame", Reuse::frame}},
+             "which points are traced once only: none, a pixel's, the frame's");
   command->add_option("--seed", options->seed, "of jitter:N")->capture_default_str();
   command->add_option("--threads", options->threads, "0: one for each core; results do not depend on it")
       ->check(CLI::Range(0, 1024))

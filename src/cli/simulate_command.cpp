@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/choice.h"
 #include "cli/command.h"
 #include "cli/machine_options.h"
 #include "cli/statistics_document.h"
@@ -48,7 +48,7 @@ struct SimulateCommand {
     }
     picture.write(processor.image());
     if (vcd) vcd->write(recorder->text());
-    if (statistics) statistics->write(simulation_document(frame.scene, options, processor).dump(2) + "\n");
+    if (statistics) statistics->write(text_of(simulation_document(frame.scene, options, processor)));
     (stats == "-" || trace == "-" ? std::cerr : std::cout)
         << simulation_table(frame.scene, options.max_level, processor);
   }
@@ -63,12 +63,9 @@ void add_simulate_command(CLI::App& app, Action& action) {
   add_scalar_option(*command, options->frame.scalar);
   options->image.add(*command);
   options->machine.add(*command);
-  static const std::map<std::string, hw::Engine> engines{{"decoupled", hw::Engine::decoupled},
-                                                         {"lockstep", hw::Engine::lockstep}};
-  command->add_option("--engine", options->engine, "decoupled is fast; lockstep is plain SystemC, with the same cycles")
-      ->transform(CLI::CheckedTransformer(engines).description(""))
-      ->type_name("decoupled|lockstep")
-      ->default_str("decoupled");
+  add_choice(*command, "--engine", options->engine,
+             {{"decoupled", hw::Engine::decoupled}, {"lockstep", hw::Engine::lockstep}},
+             "decoupled is fast; lockstep is plain SystemC, with the same cycles");
   command->add_option("--stats", options->stats, "statistics as JSON; - for stdout")->type_name("FILE|-");
   command->add_option("--trace", options->trace, "states of units and fill of FIFOs over time")->type_name("FILE.vcd");
   command->callback([&action, options] { action = [options] { options->run(); }; });

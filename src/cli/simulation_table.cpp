@@ -10,7 +10,7 @@ namespace {
 std::string grouped(std::uint64_t number) {
   std::string text = std::to_string(number);
   for (auto k = static_cast<std::ptrdiff_t>(text.size()) - 3; k > 0; k -= 3)
-    text.insert(static_cast<std::size_t>(k), ",");
+    text.insert(static_cast<std::size_t>(k), 1, ',');
   return text;
 }
 

@@ -82,7 +82,7 @@ ordered_json units_document(const hw::Processor& processor) {
 ordered_json fifos_document(const hw::Processor& processor) {
   ordered_json fifos = ordered_json::array();
   for (const hw::FifoBase* fifo : processor.fifos()) {
-    const hw::FifoStatistics& statistics = fifo->statistics();
+    const hw::FifoStatistics statistics = fifo->statistics(processor.cycles());
     const double mean = static_cast<double>(statistics.token_cycles) / static_cast<double>(processor.cycles());
     fifos.push_back({{"name", fifo->basename()},
                      {"depth", statistics.depth},
@@ -99,6 +99,10 @@ ordered_json fifos_document(const hw::Processor& processor) {
 
 double frames_per_second(const hw::Processor& processor) {
   return processor.spec().clock_mhz * 1e6 / static_cast<double>(processor.cycles());
+}
+
+std::string text_of(const ordered_json& document) {
+  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 ordered_json render_document(const std::string& scene, const Method& method, ScalarFormat scalar,

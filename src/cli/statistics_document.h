@@ -18,6 +18,9 @@ nlohmann::ordered_json render_document(const std::string& scene, const Method& m
 nlohmann::ordered_json simulation_document(const std::string& scene, const hw::SimulationOptions& options,
                                            const hw::Processor& processor);
 
+/// The document as text. A name that is not UTF-8 shows with U+FFFD in its place.
+std::string text_of(const nlohmann::ordered_json& document);
+
 /// At the machine's clock.
 double frames_per_second(const hw::Processor& processor);
 

@@ -55,11 +55,11 @@ struct SweepCommand {
 
   std::vector<Point> plan() const {
     const Scene loaded = load_scene(scene);
-    for (const std::string& warning : loaded.warnings) std::cerr << "pyrasim: warning: " << warning << '\n';
+    print_warnings(loaded);
     std::vector<Point> points;
     for (const std::string& size : split(sizes, ',')) {
       Scene resized_scene = loaded;
-      if (!size.empty()) {
+      if (!sizes.empty()) {
         const auto [columns, rows] = parse_size(size);
         resized_scene.camera.screen = resized(loaded.camera.screen, columns, rows);
       }

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Usage mistakes, and what the small commands print."""
+
+import re
+
+import tool
+from tool import SCENES, USAGE
+
+COMMANDS = ("render", "simulate", "sweep", "compare", "check", "level")
+KEEL = SCENES / "keel.json"
+
+
+class Commands(tool.EndToEnd):
+    def test_help_and_version(self):
+        text = self.ok("--help")
+        for command in COMMANDS:
+            self.assertRegex(text, rf"(?m)^  {command} ")
+            self.assertIn("--help", self.ok(command, "--help"))
+        self.assertIn("Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit.", text)
+        self.assertRegex(self.ok("--version"), r"^pyrasim \d+\.\d+\.\d+\S*\n$")
+
+    def test_usage(self):
+        self.refused(USAGE, says="command is required")
+        self.refused(USAGE, "paint", says="paint")
+        self.refused(USAGE, "--paint", says="--paint")
+        for command in COMMANDS:
+            self.refused(USAGE, command, "--paint", "x", says="")
+            if command != "level":
+                self.refused(USAGE, command, says="is required")
+        for command in ("render", "simulate"):
+            for option, value, says in (
+                    ("--size", "0x0", "columns 0"), ("--size", "640", "COLUMNSxROWS"), ("--size", "8x", "rows"),
+                    ("--size", "8x6x4", "6x4"), ("--size", "-8x6", "-8"), ("--size", "65536x1", "65536"),
+                    ("--max-level", "x", "--max-level x"), ("--max-level", "-1", "-1"), ("--max-level", "17", "17"),
+                    ("--max-level", "2.5", "2.5"), ("--max-level", "", "(empty)"), ("--leaf", "median", "mean or drop"),
+                    ("--leaf", "0", "mean or drop"), ("--scalar", "half", "double or float"),
+                    ("--png-bits", "9", "9"), ("--png-encoding", "cmyk", "cmyk")):
+                self.refused(USAGE, command, KEEL, option, value, "-o", "out.png", says=says)
+            self.refused(USAGE, command, KEEL, KEEL, says="keel.json")
+            self.refused(USAGE, command, KEEL, "--size", says="--size")
+
+    def test_usage_of_one_command(self):
+        for method in ("paint", "grid", "grid:", "grid:0", "grid:257", "grid:2x", "jitter:-1", "point:2", ""):
+            self.refused(USAGE, "render", KEEL, "--method", method, says="jitter:N with N from 1 to 256")
+            self.refused(USAGE, "sweep", KEEL, "--reference", method, says="jitter:N with N from 1 to 256")
+        for option, value in (("--reuse", "all"), ("--threads", "-1"), ("--threads", "x"), ("--seed", "x")):
+            self.refused(USAGE, "render", KEEL, option, value, says=option)
+        self.refused(USAGE, "simulate", KEEL, "--engine", "fast", says="decoupled or lockstep")
+        for assignment, says in (
+                ("clock=1", "/clock: unknown key"),
+                ("intersection.units=four", '/intersection/units: it is the string'),
+                ("intersection.units=0", "/intersection/units: 0 is out of range"), ("intersection.units", '"="'),
+                ("=1", "key is empty"), ("intersection..units=1", "key is empty"), ("fifos.all=[", "--set fifos.all=["),
+                ("clock_mhz=NaN", "clock_mhz"), ("clock_mhz=1e999", "too large"), ("clock_mhz=", "value is missing"),
+                ("name.x=1", "/name"), ("intersection=4", "/intersection: it is the number 4")):
+            self.refused(USAGE, "simulate", KEEL, "--set", assignment, "-o", "out.png", says=says)
+        for option, value in (("--max-level", "3:1"), ("--max-level", "0:17"), ("--max-level", "1,,2"), ("--leaf", "x"),
+                              ("--leaf", "mean,"), ("--size", "8x6,"), ("--size", "0x1")):
+            self.refused(USAGE, "sweep", KEEL, option, value, "--csv", "out.csv", says=option)
+
+    def test_set(self):
+        """The last word on a setting is that of the last --set, over the machine file's."""
+        machine = ["--machine", tool.MACHINES / "small.json"]
+        simulate = ["simulate", KEEL, "--size", "16x12"]
+        def units(*options):
+            return sum("intersection_unit" in unit["name"] for unit in self.stats(*simulate, *options)["units"])
+        self.assertEqual(units(), 4)
+        self.assertEqual(units(*machine), 1)
+        self.assertEqual(units(*machine, "--set", "intersection.units=3"), 3)
+        self.assertEqual(units("--set", "intersection.units=3", "--set", "intersection.units=2"), 2)
+        cost = {kind: 2 for kind in ("ray", "box_test", "sphere", "plane", "triangle")}
+        options = [word for kind in cost for word in ("--set", f"intersection.cost.{kind}=2")]
+        by_hand = self.stats(*simulate, *options)
+        document = tool.read_json(tool.MACHINES / "default.json")
+        document["intersection"]["cost"] = cost
+        from_file = self.stats(*simulate, "--machine", self.write("default.json", document))
+        self.assertEqual({**from_file, "command": ""}, {**by_hand, "command": ""})
+
+    def test_level(self):
+        text = self.ok("level")
+        self.assertEqual(text.splitlines()[-1], "MAX_LEVEL = 3")
+        self.assertEqual(len(re.findall(r"visible$", text, re.M)), 3)
+        for options, level in (
+                (["--pixel-size", "0.25", "--distance", "600"], 2), (["--pixel-size", "1e-6", "--distance", "1"], 0),
+                (["--eye", "0.0009765625"], 0), (["--eye", "0.00048828125"], 1), (["--eye", "1e-12"], 30)):
+            self.assertRegex(self.ok("level", *options), rf"\nMAX_LEVEL = {level}(, above the limit of 16)?\n$")
+        self.assertIn("above the limit of 16", self.ok("level", "--eye", "1e-12"))
+        chosen = int(self.ok("level", KEEL).split()[-1])
+        self.assertEqual(self.stats("render", KEEL, "--max-level", "auto", "--size", "640x480")["max_level"], chosen)
+        self.refused(USAGE, "level", "--pixel-size", "1", says="--distance")
+        self.refused(USAGE, "level", KEEL, "--pixel-size", "1", "--distance", "1", says="either")
+        for bad in ("0", "-1", "nan", "inf", "1e31", "x", "1x"):
+            self.refused(USAGE, "level", "--pixel-size", bad, "--distance", "1", says="--pixel-size")
+            self.refused(USAGE, "level", "--eye", bad, says="--eye")
+
+    def test_check(self):
+        self.assertIn("a scene of 7 objects on 640x480 pixels", self.ok("check", KEEL))
+        self.assertIn("machine wide with 16 intersection units at 200 MHz",
+                      self.ok("check", tool.MACHINES / "wide.json"))
+
+    def test_compare(self):
+        self.ok("render", KEEL, "--size", "100x80", "--max-level", "0", "-o", "a.pfm")
+        self.ok("render", KEEL, "--size", "100x80", "--max-level", "4", "-o", "b.pfm")
+        self.assertEqual(self.ok("compare", "a.pfm", "a.pfm"), "RMSE 0, maximum 0, PSNR inf dB\n")
+        line = self.ok("compare", "a.pfm", "b.pfm", "-o", "view.pfm", "--crop", "10x8", "--scale", "3")
+        rmse, maximum, decibel = map(float, re.fullmatch(r"RMSE (\S+), maximum (\S+), PSNR (\S+) dB\n", line).groups())
+        self.assertTrue(0 < rmse < maximum <= 1 and decibel > 0, line)
+        self.assertEqual(self.ok("compare", "b.pfm", "a.pfm"), line)
+        columns, rows, _ = tool.read_pfm(self.folder / "view.pfm")
+        self.assertTrue(columns >= 60 and rows >= 24, (columns, rows))
+        for option, value in (("--crop", "0x1"), ("--at", "1"), ("--at", "95,0"), ("--scale", "0")):
+            self.refused(USAGE, "compare", "a.pfm", "b.pfm", "--crop", "10x8", option, value)
+
+
+tool.main()

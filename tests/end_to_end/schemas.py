@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The shipped files and what --stats writes keep to the schemas, and the schemas refuse what is wrong."""
+
+import copy
+import json
+
+import jsonschema
+
+import tool
+from tool import MACHINES, SCENES, SOURCE
+
+
+def schema(kind):
+    document = json.loads((SOURCE / "docs" / "schemas" / f"{kind}.schema.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(document)
+    return jsonschema.Draft202012Validator(document)
+
+
+def changed(document, path, value):
+    """A copy with the value at `path`, a list of keys, replaced; None removes it."""
+    result = copy.deepcopy(document)
+    node = result
+    for key in path[:-1]:
+        node = node[key]
+    if value is None:
+        del node[path[-1]]
+    else:
+        node[path[-1]] = value
+    return result
+
+
+class Schemas(tool.EndToEnd):
+    def assert_valid(self, validator, document, what):
+        errors = [f"{error.json_path}: {error.message}" for error in validator.iter_errors(document)]
+        self.assertEqual(errors, [], what)
+
+    def assert_refused(self, validator, document, changes):
+        self.assert_valid(validator, document, "before the change")
+        for path, value in changes:
+            with self.subTest(path=path, value=value):
+                self.assertFalse(validator.is_valid(changed(document, path, value)))
+
+    def test_scenes(self):
+        validator = schema("scene")
+        files = sorted(SCENES.glob("*.json"))
+        self.assertGreaterEqual(len(files), 4)
+        for file in files:
+            self.assert_valid(validator, tool.read_json(file), file)
+        self.assert_valid(validator, tool.scene([]), "an empty scene")
+        self.assert_refused(validator, tool.scene(), [
+            (["objects"], None), (["camera"], None), (["objects", 0, "radius"], 0), (["objects", 0, "radius"], None),
+            (["objects", 0, "type"], "cube"), (["objects", 0, "vertices"], [[0, 0, 0]] * 3),
+            (["camera", "screen", "dx"], 1), (["camera", "screen", "rows"], 0), (["camera", "screen", "rows"], 1.5),
+            (["background"], [1, 1]), (["lights"], []), (["light"], {"ambient": 0.5})])
+
+    def test_machines(self):
+        validator = schema("machine")
+        files = sorted(MACHINES.glob("*.json"))
+        self.assertEqual([file.name for file in files], ["default.json", "small.json", "wide.json"])
+        for file in files:
+            self.assert_valid(validator, tool.read_json(file), file)
+            self.assertIn(f"machine {file.stem} ", self.ok("check", file))
+        self.assert_valid(validator, {}, "an empty machine file")
+        changes = [
+            (["clock"], 1), (["clock_mhz"], 0), (["name"], 3), (["intersection", "units"], 0),
+            (["intersection", "units"], 257), (["intersection", "units"], 1.5), (["intersection", "interval"], 1),
+            (["intersection", "cost", "ray"], 0), (["intersection", "cost", "mesh"], 1), (["frame_buffer", "pool"], 1),
+            (["frame_buffer", "latency"], 0), (["fifos", "all"], 0), (["fifos", "pixel_scan"], 1),
+            (["tree_accumulator", "pixels"], 0), (["subdivision_controller", "pool"], -1), (["pixel_scan"], [])]
+        default = tool.read_json(MACHINES / "default.json")
+        self.assert_refused(validator, default, changes)
+        for path, value in changes:  # and the program is of the same mind
+            file = self.write("machine.json", changed(default, path, value))
+            self.refused(tool.INPUT, "check", file, says="/".join(["", *path]))
+
+    def test_machine_limits_are_those_of_the_program(self):
+        """The least and the greatest of every setting is taken by the program, and one beyond is not."""
+        document = json.loads((SOURCE / "docs" / "schemas" / "machine.schema.json").read_text())
+
+        def settings(node, path):
+            node = {**document["$defs"].get(node.get("$ref", "").rpartition("/")[2], {}), **node}
+            for key, child in node.get("properties", {}).items():
+                yield from settings(child, path + [key])
+            if "minimum" in node:
+                yield path, node
+
+        found = list(settings(document, []))
+        self.assertEqual(len(found), 32)
+        for path, node in found:
+            def file_with(value, path=path):
+                nested = value
+                for key in reversed(path):
+                    nested = {key: nested}
+                return self.write("machine.json", nested)
+            for value in (node["minimum"], node["maximum"]):
+                self.ok("check", file_with(value))
+            for value in (node["minimum"] - 1, node["maximum"] + 1):
+                self.refused(tool.INPUT, "check", file_with(value), says="/".join(["", *path]))
+
+    def test_default_machine_is_built_in(self):
+        """default.json states every setting, each as the schema documents it and as the program has it."""
+        default = tool.read_json(MACHINES / "default.json")
+        validator = json.loads((SOURCE / "docs" / "schemas" / "machine.schema.json").read_text())
+        defined = validator["$defs"]
+        self.assertEqual(set(default), set(validator["properties"]))
+        self.assertEqual(set(default["fifos"]), set(defined["fifos"]["properties"]) - {"all"})
+        self.assertEqual(set(default["intersection"]), set(defined["intersection"]["properties"]))
+        costs = defined["intersection"]["properties"]["cost"]["properties"]
+        self.assertEqual(set(default["intersection"]["cost"]), set(costs))
+        for value, properties in [(default["fifos"], defined["fifos"]["properties"]),
+                                  (default["intersection"]["cost"], costs)]:
+            for key in value:
+                self.assertEqual(value[key], properties[key]["default"], key)
+        for name in ("pixel_scan", "view_vector_generator", "pyramid_classifier", "frame_buffer"):
+            self.assertEqual(set(default[name]), {"latency", "interval"})
+            text = "Defaults: latency {latency}, interval {interval}.".format(**default[name])
+            self.assertIn(text, validator["properties"][name]["description"])
+        # Every setting shows in the document of a run that depends on it: same document, same settings.
+        for arguments in (["keel.json", "--size", "48x36", "--max-level", "3"],
+                          ["spheres.json", "--size", "32x24", "--max-level", "5"]):
+            command = ["simulate", SCENES / arguments[0], *arguments[1:]]
+            built_in = self.stats(*command)
+            from_file = self.stats(*command, "--machine", MACHINES / "default.json")
+            for document in (built_in, from_file):
+                del document["command"]
+            self.assertEqual(from_file, built_in)
+
+    def test_statistics(self):
+        validator = schema("statistics")
+        keel, spheres = SCENES / "keel.json", SCENES / "spheres.json"
+        empty = self.write("empty.json", tool.scene([]))
+        small = ["--size", "24x18"]
+        for arguments in (
+                ["render", keel, *small], ["render", keel, *small, "--max-level", "0"],
+                ["render", keel, *small, "--max-level", "auto", "--leaf", "drop", "--scalar", "float"],
+                ["render", spheres, *small, "--reuse", "pixel"], ["render", spheres, *small, "--reuse", "frame"],
+                ["render", keel, *small, "--method", "point"], ["render", keel, *small, "--method", "grid:3"],
+                ["render", keel, *small, "--method", "jitter:2", "--seed", "7"],
+                ["render", keel, "--size", "2x2", "--max-level", "16"], ["render", empty],
+                ["simulate", keel, *small], ["simulate", keel, *small, "--engine", "lockstep", "--scalar", "float"],
+                ["simulate", keel, *small, "--max-level", "0"], ["simulate", spheres, *small, "--leaf", "drop"],
+                ["simulate", spheres, *small, "--machine", MACHINES / "small.json"],
+                ["simulate", spheres, *small, "--machine", MACHINES / "wide.json"],
+                ["simulate", keel, *small, "--set", "goal_fps=1e5"], ["simulate", empty]):
+            document = self.stats(*arguments)
+            self.assert_valid(validator, document, arguments)
+            self.check_sums(document)
+            self.assertEqual("engine" in document, arguments[0] == "simulate")
+
+    def check_sums(self, document):
+        """What the schema's descriptions promise."""
+        rays, level = document["rays"], document["max_level"]
+        self.assertEqual(len(rays["by_level"]), level + 1)
+        self.assertEqual(len(document["cases"]["by_level"]), level + 1)
+        self.assertEqual(rays["by_level"][0], rays["primary"])
+        self.assertEqual(sum(rays["by_level"]), rays["total"])
+        self.assertEqual(rays["primary"] + rays["subdivision"], rays["total"])
+        pixels = document["columns"] * document["rows"]
+        if document["method"] == "pyramid":
+            self.assertEqual(document["terminal_nodes"], pixels + 3 * document["subdivisions"])
+            self.assertEqual(sum(document["cases"]["by_level"][0].values()), pixels)
+            self.assertEqual(document["rays_by_reuse"]["none"], rays["primary"] + 5 * document["subdivisions"])
+        else:
+            self.assertEqual((document["terminal_nodes"], rays["subdivision"]), (0, 0))
+        if "machine" in document:
+            machine = document["machine"]
+            self.assertEqual([unit["name"] for unit in document["units"]], machine["elaborated"])
+            for unit in document["units"]:
+                cycles = unit["busy"] + unit["starved"] + unit["blocked"] + unit["idle"]
+                self.assertEqual(cycles, machine["cycles"], unit["name"])
+            for fifo in document["fifos"]:
+                self.assertLessEqual(fifo["max"], fifo["depth"], fifo["name"])
+                self.assertLessEqual(fifo["mean"], fifo["max"], fifo["name"])
+            self.assertAlmostEqual(machine["frames_per_second"] * machine["cycles"], machine["clock_mhz"] * 1e6,
+                                   delta=1)
+            self.assertEqual(machine["budget"]["met"], machine["cycles"] <= machine["budget"]["cycles"])
+
+    def test_statistics_refused(self):
+        validator = schema("statistics")
+        keel = SCENES / "keel.json"
+        both = [
+            (["pyrasim"], None), (["command"], None), (["extra"], 1), (["leaf"], "median"), (["scalar"], "half"),
+            (["method"], "grid:0"), (["rays", "total"], -1), (["rays", "total"], 1.5), (["rays", "by_level"], []),
+            (["cases", "by_level", 0, "edge"], None), (["work", "surface_tests", "mesh"], 0),
+            (["image", "sha256"], "0" * 63), (["image", "sha256"], "G" * 64), (["columns"], 0)]
+        self.assert_refused(validator, self.stats("render", keel, "--size", "8x6"),
+                            both + [(["engine"], "lockstep"), (["units"], []), (["rays_by_reuse", "pixel"], None)])
+        self.assert_refused(validator, self.stats("simulate", keel, "--size", "8x6"), both + [
+            (["engine"], None), (["engine"], "fast"), (["machine"], None), (["units"], None), (["fifos"], None),
+            (["method"], "grid:2"), (["machine", "cycles"], 0), (["machine", "budget", "met"], 1),
+            (["machine", "elaborated"], ["x", "x"]), (["units", 0, "idle"], None), (["fifos", 0, "depth"], 0),
+            (["fifos", 0, "mean"], "1"), (["units", 0, "name"], "Unit"), (["rays_by_reuse", "pixel"], 3)])
+
+
+tool.main()
