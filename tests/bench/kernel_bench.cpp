@@ -29,6 +29,9 @@ void trace(benchmark::State& state, const char* name) {
   state.counters["rays"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
+void trace_double(benchmark::State& state, const char* name) { trace<double>(state, name); }
+void trace_float(benchmark::State& state, const char* name) { trace<float>(state, name); }
+
 /// A whole frame; arguments: MAX_LEVEL and threads.
 void frame(benchmark::State& state, const char* name) {
   const Scene scene = shipped(name);
@@ -46,12 +49,12 @@ void prepare(benchmark::State& state, const char* name) {
   for (auto _ : state) benchmark::DoNotOptimize(prepare_scene<double>(scene).root);
 }
 
-BENCHMARK_CAPTURE(trace<double>, keel, "keel");
-BENCHMARK_CAPTURE(trace<double>, spheres, "spheres");
-BENCHMARK_CAPTURE(trace<double>, fins, "fins");
-BENCHMARK_CAPTURE(trace<double>, bunny, "bunny");
-BENCHMARK_CAPTURE(trace<float>, spheres_float, "spheres");
-BENCHMARK_CAPTURE(trace<float>, bunny_float, "bunny");
+BENCHMARK_CAPTURE(trace_double, keel, "keel");
+BENCHMARK_CAPTURE(trace_double, spheres, "spheres");
+BENCHMARK_CAPTURE(trace_double, fins, "fins");
+BENCHMARK_CAPTURE(trace_double, bunny, "bunny");
+BENCHMARK_CAPTURE(trace_float, spheres, "spheres");
+BENCHMARK_CAPTURE(trace_float, bunny, "bunny");
 BENCHMARK_CAPTURE(frame, spheres, "spheres")
     ->ArgsProduct({{0, 3}, {1, 2}})
     ->UseRealTime()
