@@ -17,6 +17,11 @@ struct Case {
   int max_level;
 };
 
+void PrintTo(const Case& parameters, std::ostream* out) {
+  *out << parameters.scene << " " << parameters.columns << "x" << parameters.rows << " MAX_LEVEL "
+       << parameters.max_level;
+}
+
 class Matrix : public testing::TestWithParam<Case> {};
 
 TEST_P(Matrix, EnginesAgreeAndResultsAreTheReferences) {
