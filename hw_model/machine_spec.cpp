@@ -29,7 +29,7 @@ void read(const JsonReader& reader, std::string_view key, const NumberRange& ran
 /// `more`: keys beside latency and interval, for the caller to read.
 std::optional<JsonReader> read_stage(const JsonReader& root, std::string_view name, StageTiming& timing,
                                      const std::vector<std::string_view>& more = {}) {
-  const auto reader = root.find(name);
+  auto reader = root.find(name);
   if (!reader) return reader;
   std::vector<std::string_view> keys{"latency", "interval"};
   keys.insert(keys.end(), more.begin(), more.end());

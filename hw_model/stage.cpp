@@ -27,7 +27,7 @@ StageStatistics Stage::statistics(Cycle cycles) const {
   return statistics;
 }
 
-void Stage::run_in_lockstep(sc_core::sc_time period) {
+void Stage::run_in_lockstep(const sc_core::sc_time& period) {
   period_ = period;
   sc_core::sc_spawn([this] { lockstep(); }, (std::string(basename()) + "_process").c_str());
 }

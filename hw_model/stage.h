@@ -99,7 +99,7 @@ class Stage : public sc_core::sc_module, public FifoEnd {
   void attach(WorkList* work) { work_ = work; }
   void observe(StageObserver* observer) { observer_ = observer; }
   /// Registers the process that runs this stage on the SystemC kernel; before the simulation starts.
-  void run_in_lockstep(sc_core::sc_time period);
+  void run_in_lockstep(const sc_core::sc_time& period);
 
   /// Books the cycles from the end of the last firing to `start`.
   void account(const Start& start) {

@@ -59,11 +59,12 @@ void ImageOutput::add(CLI::App& command) {
 }
 
 struct TextOutput::File {
+  explicit File(const std::string& name) : output(name) {}
   OutputFile output;
 };
 
 TextOutput::TextOutput(const std::string& file) {
-  if (file != "-") file_.reset(new File{OutputFile(file)});
+  if (file != "-") file_ = std::make_unique<File>(file);
 }
 TextOutput::TextOutput(TextOutput&&) noexcept = default;
 TextOutput::~TextOutput() = default;
@@ -79,6 +80,7 @@ void TextOutput::write(const std::string& text) {
 }
 
 struct PictureOutput::File {
+  explicit File(const std::string& name) : output(name) {}
   OutputFile output;
 };
 
@@ -86,7 +88,7 @@ PictureOutput::PictureOutput(ImageOutput options) : options_(std::move(options))
   if (options_.file.empty()) return;
   options_.format.srgb = options_.encoding == "srgb";
   image_file_kind(options_.file);
-  file_.reset(new File{OutputFile(options_.file)});
+  file_ = std::make_unique<File>(options_.file);
 }
 PictureOutput::PictureOutput(PictureOutput&&) noexcept = default;
 PictureOutput::~PictureOutput() = default;

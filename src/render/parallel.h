@@ -18,15 +18,15 @@ inline int thread_count(int requested) {
   return requested > 0 ? requested : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// Runs `work(k)` for k = 0 to `tasks` - 1, each once, started in ascending order, on `threads` threads, each with a
-/// worker made by `make_worker()`.
-template <class MakeWorker>
-void run_tasks(int tasks, int threads, const Progress& progress, const MakeWorker& make_worker) {
+/// Runs the tasks 0 to `tasks` - 1, each once, started in ascending order, on `threads` threads: each has a
+/// Worker(context) and calls worker(task).
+template <class Worker, class Context>
+void run_tasks(int tasks, int threads, const Progress& progress, Context& context) {
   std::atomic<int> next{0};
   std::mutex report;
   int finished = 0;
   const auto loop = [&] {
-    auto worker = make_worker();
+    Worker worker(context);
     for (int task = next++; task < tasks; task = next++) {
       worker(task);
       if (!progress) continue;

@@ -197,8 +197,7 @@ Rendering render_pyramids(const Scene& scene, const SceneTracer<Scalar>& tracer,
                       .seams = std::vector<Seam>(static_cast<std::size_t>(bands) + 1),
                       .totals = {},
                       .statistics = {}};
-  run_tasks(bands, thread_count(options.threads), progress,
-            [&] { return [worker = std::make_unique<BandWorker<Scalar>>(frame)](int band) { (*worker)(band); }; });
+  run_tasks<BandWorker<Scalar>>(bands, thread_count(options.threads), progress, frame);
   return {std::move(frame.image), frame.statistics};
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/sampling_renderer.h"
 
-#include <memory>
 #include <mutex>
 
 namespace pyrasim {
@@ -92,8 +91,7 @@ Rendering render_samples(const Scene& scene, const SceneTracer<Scalar>& tracer, 
       .image = Image(screen.columns, screen.rows),
       .totals = {},
       .work = {}};
-  run_tasks(screen.rows, thread_count(options.threads), progress,
-            [&] { return [worker = std::make_unique<RowWorker<Scalar>>(frame)](int row) { (*worker)(row); }; });
+  run_tasks<RowWorker<Scalar>>(screen.rows, thread_count(options.threads), progress, frame);
   Rendering rendering{std::move(frame.image), {}};
   rendering.statistics.rays_by_level[0] =
       static_cast<std::uint64_t>(screen.rows) * static_cast<std::uint64_t>(screen.columns) *

@@ -43,7 +43,7 @@ class Preparation {
       prepared_.towards_light = to_scalar<Scalar>(-light_direction_);
     }
     for (const Object& object : scene.objects) {
-      std::visit([this](const auto& surface) { add(surface); }, object.surface);
+      std::visit([this](const auto& surface) { this->add(surface); }, object.surface);
       ++object_;
     }
   }

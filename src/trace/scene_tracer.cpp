@@ -58,7 +58,8 @@ void SceneTracer<Scalar>::traverse(const ViewRay<Scalar>& ray, Candidate& best, 
       }
       current = node.child[first];
     }
-    if (current < 0) test_leaf(scene_.leaves[static_cast<std::size_t>(~current)], ray, best, work);
+    if (current < 0)
+      test_leaf(scene_.leaves[static_cast<std::size_t>(~static_cast<std::int64_t>(current))], ray, best, work);
     do {
       if (top == stack.data()) {
         work.box_tests += box_tests;

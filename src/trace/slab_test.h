@@ -59,9 +59,9 @@ class SlabTest<double> {
       : inverse_x_(_mm256_set1_pd(ray.inverse.x)),
         inverse_y_(_mm256_set1_pd(ray.inverse.y)),
         inverse_z_(_mm256_set1_pd(ray.inverse.z)),
-        near_x_(4U * ray.backward[0]),
-        near_y_(8U + 4U * ray.backward[1]),
-        near_z_(16U + 4U * ray.backward[2]) {}
+        near_x_(std::size_t{4} * ray.backward[0]),
+        near_y_(8 + std::size_t{4} * ray.backward[1]),
+        near_z_(16 + std::size_t{4} * ray.backward[2]) {}
 
   SlabHits<double> operator()(const PreparedScene<double>::Node& node, double limit) const {
     // Doubles of Node::bounds in a row: axis * 8 + side * 4 + child. The far side differs in the bit of value 4.
@@ -93,9 +93,9 @@ class SlabTest<double> {
       : inverse_x_(_mm_set1_pd(ray.inverse.x)),
         inverse_y_(_mm_set1_pd(ray.inverse.y)),
         inverse_z_(_mm_set1_pd(ray.inverse.z)),
-        near_x_(4U * ray.backward[0]),
-        near_y_(8U + 4U * ray.backward[1]),
-        near_z_(16U + 4U * ray.backward[2]) {}
+        near_x_(std::size_t{4} * ray.backward[0]),
+        near_y_(8 + std::size_t{4} * ray.backward[1]),
+        near_z_(16 + std::size_t{4} * ray.backward[2]) {}
 
   SlabHits<double> operator()(const PreparedScene<double>::Node& node, double limit) const {
     // Doubles of Node::bounds in a row: axis * 8 + side * 4 + child. The far side differs in the bit of value 4.
