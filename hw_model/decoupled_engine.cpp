@@ -1,47 +1,80 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hw_model/decoupled_engine.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace pyrasim::hw {
 
-DecoupledEngine::DecoupledEngine(const std::vector<Stage*>& stages, PixelScan& scan, ViewVectorGenerator& generator,
-                                 SubdivisionController* controller, Cycle round_trip, Cycle request_latency)
-    : scan_(scan),
-      generator_(generator),
-      controller_(controller),
-      round_trip_(round_trip),
-      request_latency_(request_latency) {
-  for (Stage* stage : stages) {
-    stage->attach(&work_);
-    stage->wake();
-  }
+DecoupledEngine::DecoupledEngine(const std::vector<Stage*>& stages, Boxes boxes, const MachineSpec& spec)
+    : stages_(stages),
+      boxes_(std::move(boxes)),
+      generator_latency_(spec.view_vector_generator.latency),
+      unit_latency_(spec.intersection_cost.ray - 1 + spec.intersection_latency),
+      request_latency_(spec.subdivision_controller.latency) {
+  for (Stage* stage : stages_) stage->attach(work_);
 }
 
-void DecoupledEngine::run() {
+void DecoupledEngine::run(Cycle last) {
+  for (Stage* stage : stages_) stage->wake();
+  bool at_rest = false;
   for (;;) {
-    work_.run();
-    const Start generator = generator_.next();
+    settle();
+    const Start generator = boxes_.generator.next();
     const Cycle controller = controller_date();
-    if (controller == never && !generator.known()) return;
+    const Cycle first = std::min(generator.at(), controller);
+    if (first == never || first > last) {
+      // Stages that wait until their FIFO is full have to be asked once more.
+      if (at_rest) return;
+      for (Stage* stage : stages_) stage->wake();
+      at_rest = true;
+      continue;
+    }
+    at_rest = false;
     if (controller <= generator.at()) {
-      controller_->Stage::fire(controller_->next());
+      boxes_.controller->Stage::fire(controller_);
+      boxes_.controller->wake();
+    } else if (boxes_.generator.chooses_unit()) {
+      boxes_.generator.Stage::fire(generator);
     } else {
-      run_generator(generator);
+      run_generator(first);
     }
   }
 }
 
-void DecoupledEngine::run_generator(const Start& first) {
-  const Cycle echo = first.at() + round_trip_;
-  Cycle horizon = std::min(echo, controller_date()) + request_latency_;
-  for (Start start = first; start.known() && start.at() < horizon; start = generator_.next()) {
-    generator_.account(start);
-    generator_.ViewVectorGenerator::fire(start.at());
-    if (generator_.begins_request()) {  // room for the controller's next request
-      horizon = std::min(echo, controller_date()) + request_latency_;
-    }
-    if (generator_.sees_next_corner()) continue;
-    scan_.drain();
-    if (!generator_.sees_next_corner()) return;
+/// Lets all stages fire that decide from data alone, as far as that can matter to the two that choose.
+void DecoupledEngine::settle() {
+  work_.run();
+  if (boxes_.generator.sees_next_corner()) return;
+  boxes_.scan.drain();
+  if (boxes_.generator.sees_next_corner()) return;
+  boxes_.accumulator.wake();  // the scan may wait for a slot
+  work_.run();
+  boxes_.scan.drain();
+}
+
+/// The controller's next firing changes only with what it is told of, and with its own firings.
+Cycle DecoupledEngine::controller_date() {
+  if (boxes_.controller != nullptr && boxes_.controller->awake()) {
+    boxes_.controller->sleep();
+    controller_ = boxes_.controller->next();
+  }
+  return controller_.at();
+}
+
+/// The earliest firing of the controller that a ray issued at `first` or a later one can make possible: samples are
+/// taken in order, so none before this ray's. The classifier then reads the parent, whose cell is free a cycle later.
+Cycle DecoupledEngine::echo(Cycle first) const {
+  const Cycle ready = boxes_.units[boxes_.generator.next_unit()]->ready();
+  return std::max(first + generator_latency_, ready) + unit_latency_ + 1;
+}
+
+void DecoupledEngine::run_generator(Cycle first) {
+  const Cycle bound = echo(first);
+  while (boxes_.generator.fire_before(std::min(bound, controller_date()) + request_latency_)) {
+    if (boxes_.generator.sees_next_corner()) continue;
+    boxes_.scan.drain();
+    if (!boxes_.generator.sees_next_corner()) return;
   }
 }
 

@@ -3,9 +3,11 @@
 
 #include <vector>
 
+#include "hw_model/intersection_unit.h"
 #include "hw_model/pixel_scan.h"
 #include "hw_model/stage.h"
 #include "hw_model/subdivision_controller.h"
+#include "hw_model/tree_accumulator.h"
 #include "hw_model/view_vector_generator.h"
 
 namespace pyrasim::hw {
@@ -14,31 +16,40 @@ namespace pyrasim::hw {
 /// known, however far ahead of the others.
 ///
 /// That is exact. Most stages decide what to read and write from data alone; for them order does not matter. Two choose
-/// by what has arrived first: the view-vector generator (corner or request) and the subdivision controller (accept or
-/// issue). They fire when no other stage can, and the earlier of the two first: whatever is still unseen descends from
-/// a firing not earlier than that, and every hop takes at least a cycle. The generator then goes on alone for as long
-/// as nothing that it set off could have come back to it.
+/// by what has arrived first: the view-vector generator (corner or request, and under first_free the unit) and the
+/// subdivision controller (accept or issue). They fire when no other stage can, and the earlier of the two first:
+/// whatever is still unseen descends from a firing not earlier than that, and every hop takes at least a cycle. Where
+/// it does not choose among units, the generator then goes on alone for as long as nothing that it set off could have
+/// come back to it.
 class DecoupledEngine {
  public:
-  /// `controller`: none where nothing is subdivided. `round_trip`: the least cycles from a ray's issue to a firing of
-  /// the controller that it makes possible; `request_latency`: from there to the request being visible to the
-  /// generator.
-  DecoupledEngine(const std::vector<Stage*>& stages, PixelScan& scan, ViewVectorGenerator& generator,
-                  SubdivisionController* controller, Cycle round_trip, Cycle request_latency);
+  /// The stages that the engine knows by name. `controller`: none where nothing is subdivided.
+  struct Boxes {
+    PixelScan& scan;
+    ViewVectorGenerator& generator;
+    std::vector<IntersectionUnit*> units;
+    SubdivisionController* controller;
+    TreeAccumulator& accumulator;
+  };
 
-  /// Runs until no stage can fire.
-  void run();
+  DecoupledEngine(const std::vector<Stage*>& stages, Boxes boxes, const MachineSpec& spec);
+
+  /// Runs until no stage can fire, or the two that choose could only fire after `last`.
+  void run(Cycle last);
 
  private:
-  void run_generator(const Start& first);
-  Cycle controller_date() { return controller_ == nullptr ? never : controller_->next().at(); }
+  void settle();
+  void run_generator(Cycle first);
+  Cycle echo(Cycle first) const;
+  Cycle controller_date();
 
-  WorkList work_;
-  PixelScan& scan_;
-  ViewVectorGenerator& generator_;
-  SubdivisionController* controller_;
-  Cycle round_trip_;
+  std::vector<Stage*> stages_;
+  Boxes boxes_;
+  Cycle generator_latency_;
+  Cycle unit_latency_;  ///< the least from a ray's start in a unit to its sample
   Cycle request_latency_;
+  Start controller_{never};  ///< its next firing, as long as it sleeps
+  WorkList work_;
 };
 
 }  // namespace pyrasim::hw

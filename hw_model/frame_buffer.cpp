@@ -7,13 +7,18 @@ namespace pyrasim::hw {
 
 FrameBuffer::FrameBuffer(const sc_core::sc_module_name& name, StageTiming timing, int columns, int rows,
                          Progress progress)
-    : StageOf(name), timing_(timing), image_(columns, rows), progress_(std::move(progress)) {}
+    : StageOf(name),
+      timing_(timing),
+      image_(columns, rows),
+      progress_(std::move(progress)),
+      next_progress_(progress_ ? static_cast<std::size_t>(columns) : 0) {}
 
 void FrameBuffer::fire(Cycle now) {
-  const PixelMessage message = tree_accumulator->read(now);
+  const PixelMessage& message = tree_accumulator->front();
   image_.pixels()[message.pixel] = message.color;
-  ++stored_;
-  if (progress_ && stored_ % static_cast<std::size_t>(image_.columns()) == 0) {
+  tree_accumulator->pop(now);
+  if (++stored_ == next_progress_) {  // a row's worth
+    next_progress_ += static_cast<std::size_t>(image_.columns());
     progress_(static_cast<double>(stored_) / static_cast<double>(image_.pixels().size()));
   }
   occupy(now, timing_.interval);

@@ -27,6 +27,7 @@ class FrameBuffer final : public StageOf<FrameBuffer> {
   Image image_;
   std::size_t stored_ = 0;
   Progress progress_;
+  std::size_t next_progress_;  ///< pixels
 };
 
 }  // namespace pyrasim::hw

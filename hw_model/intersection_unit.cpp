@@ -12,12 +12,17 @@ Start IntersectionUnit::next() {
 }
 
 void IntersectionUnit::fire(Cycle now) {
-  const RayMessage ray = view_vector_generator->read(now);
+  const RayMessage& ray = view_vector_generator->front();
   Work work;
   const Sample sample = datapath_.trace(ray.view_vector, work);
   work_ += work;
   const Cycle occupied = occupancy(work);
-  pyramid_classifier->write({sample, ray.tag, ray.subdivision}, now, occupied - 1 + latency_);
+  pyramid_classifier->write_made(
+      [&] {
+        return SampleMessage{sample, ray.tag, ray.subdivision};
+      },
+      now, occupied - 1 + latency_);
+  view_vector_generator->pop(now);
   occupy(now, occupied);
 }
 

@@ -40,8 +40,13 @@ std::optional<JsonReader> read_stage(const JsonReader& root, std::string_view na
 }
 
 void read_intersection(const JsonReader& reader, MachineSpec& spec) {
-  reader.allow_keys({"units", "latency", "cost"});
+  reader.allow_keys({"units", "dispatch", "reorder_buffer", "latency", "cost"});
   read(reader, "units", {1, 256}, spec.intersection_units);
+  spec.dispatch = reader
+                      .optional_choice<Dispatch>(
+                          "dispatch", {{"round_robin", Dispatch::round_robin}, {"first_free", Dispatch::first_free}})
+                      .value_or(spec.dispatch);
+  read(reader, "reorder_buffer", depth, spec.reorder_buffer);
   read(reader, "latency", cycles, spec.intersection_latency);
   const auto costs = reader.find("cost");
   if (!costs) return;
@@ -85,7 +90,9 @@ MachineSpec read_machine(const std::string& file, const nlohmann::json& document
   read_stage(root, "pixel_scan", spec.pixel_scan);
   read_stage(root, "view_vector_generator", spec.view_vector_generator);
   if (const auto intersection = root.find("intersection")) read_intersection(*intersection, spec);
-  read_stage(root, "pyramid_classifier", spec.pyramid_classifier);
+  if (const auto classifier = read_stage(root, "pyramid_classifier", spec.pyramid_classifier, {"corner_row"})) {
+    read(*classifier, "corner_row", {3, 65'537}, spec.corner_row);
+  }
   if (const auto controller = read_stage(root, "subdivision_controller", spec.subdivision_controller, {"pool"})) {
     read(*controller, "pool", {0, 1'000'000}, spec.subdivision_pool);
   }
@@ -112,13 +119,20 @@ MachineSpec load_machine(const std::optional<std::filesystem::path>& file, const
   }
 }
 
-void check_machine_holds(const MachineSpec& spec, int max_level) {
+void check_machine_holds(const MachineSpec& spec, int max_level, int columns) {
   const std::size_t required = required_pool(max_level);
-  if (spec.subdivision_pool >= required) return;
-  throw InputError(fmt::format(
-      "machine {}: /subdivision_controller/pool: {} cannot hold one pixel's tree at MAX_LEVEL {}; at least {} = 3 "
-      "({} - 1) + 1 is needed, or a lower MAX_LEVEL",
-      spec.name, spec.subdivision_pool, max_level, required, max_level));
+  if (spec.subdivision_pool < required) {
+    throw InputError(fmt::format(
+        "machine {}: /subdivision_controller/pool: {} cannot hold one pixel's tree at MAX_LEVEL {}; at least {} = 3 "
+        "({} - 1) + 1 is needed, or a lower MAX_LEVEL",
+        spec.name, spec.subdivision_pool, max_level, required, max_level));
+  }
+  if (spec.corner_row < static_cast<std::size_t>(columns) + 2) {
+    throw InputError(fmt::format(
+        "machine {}: /pyramid_classifier/corner_row: {} cannot hold a row of corners and one more; at least {} = {} + "
+        "2 is needed, or fewer columns",
+        spec.name, spec.corner_row, columns + 2, columns));
+  }
 }
 
 }  // namespace pyrasim::hw

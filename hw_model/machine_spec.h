@@ -29,6 +29,12 @@ struct IntersectionCost {
   friend bool operator==(const IntersectionCost&, const IntersectionCost&) = default;
 };
 
+/// Which intersection unit gets the next ray.
+enum class Dispatch : std::uint8_t {
+  round_robin,  ///< each in turn
+  first_free,   ///< the first that has room, counting on from the last; the reorder buffer restores the order
+};
+
 /// Depths of the FIFOs, in tokens: one name for each kind of arrow in the block diagram.
 struct FifoDepths {
   std::size_t pixel_scan_to_view_vector_generator = 4;
@@ -50,9 +56,12 @@ struct MachineSpec {
   StageTiming pixel_scan;
   StageTiming view_vector_generator{.latency = 4};
   std::size_t intersection_units = 4;
-  Cycle intersection_latency = 8;  ///< from the end of a ray's occupancy to its result being visible
+  Dispatch dispatch = Dispatch::round_robin;
+  std::size_t reorder_buffer = 32;  ///< rays under way between generator and classifier under first_free
+  Cycle intersection_latency = 8;   ///< from the end of a ray's occupancy to its result being visible
   IntersectionCost intersection_cost;
   StageTiming pyramid_classifier{.latency = 2};
+  std::size_t corner_row = 65'537;  ///< corner samples that the classifier can hold: a row and one more
   StageTiming subdivision_controller{.latency = 2};
   std::size_t subdivision_pool = 64;  ///< subpixels that the controller can hold for subdivision
   StageTiming tree_accumulator{.latency = 2};
@@ -77,7 +86,7 @@ constexpr std::size_t required_pool(int max_level) {
 MachineSpec load_machine(const std::optional<std::filesystem::path>& file,
                          const std::vector<std::string>& overrides = {});
 
-/// Throws InputError where the machine cannot hold one pixel's tree of `max_level`.
-void check_machine_holds(const MachineSpec& spec, int max_level);
+/// Throws InputError where the machine cannot hold one pixel's tree of `max_level`, or a row of `columns` pixels.
+void check_machine_holds(const MachineSpec& spec, int max_level, int columns);
 
 }  // namespace pyrasim::hw

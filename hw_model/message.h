@@ -40,6 +40,11 @@ struct RayMessage {
   bool subdivision;  ///< false: a corner of the raster
 };
 
+/// The intersection unit that got a ray, in the order of issue.
+struct UnitNumber {
+  std::uint32_t unit;
+};
+
 struct SampleMessage {
   Sample sample;
   PixelTag tag;

@@ -8,8 +8,8 @@
 namespace pyrasim::hw {
 namespace {
 
-MachineSpec checked(const MachineSpec& spec, const SimulationOptions& options) {
-  check_machine_holds(spec, options.max_level);
+MachineSpec checked(const MachineSpec& spec, const Scene& scene, const SimulationOptions& options) {
+  check_machine_holds(spec, options.max_level, scene.camera.screen.columns);
   return spec;
 }
 
@@ -18,12 +18,12 @@ MachineSpec checked(const MachineSpec& spec, const SimulationOptions& options) {
 Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, const MachineSpec& spec,
                      const SimulationOptions& options)
     : sc_module(name),
-      spec_(checked(spec, options)),
+      spec_(checked(spec, scene, options)),
       datapath_(make_datapath(scene, std::int64_t{1} << options.max_level, options.scalar)),
       contents_(datapath_->contents()),
       pixel_scan_("pixel_scan", spec.pixel_scan, scene.camera.screen, options.max_level),
-      view_vector_generator_("view_vector_generator", spec.view_vector_generator, spec.intersection_units, *datapath_,
-                             options.max_level),
+      view_vector_generator_("view_vector_generator", spec.view_vector_generator, spec.intersection_units,
+                             spec.dispatch, *datapath_, options.max_level),
       pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, scene, options.leaf,
                           options.max_level),
       tree_accumulator_("tree_accumulator", spec.tree_accumulator, spec.pixels_in_flight, options.max_level),
@@ -37,21 +37,19 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
     controller_ = std::make_unique<SubdivisionController>("subdivision_controller", spec.subdivision_controller,
                                                           spec.subdivision_pool, options.max_level);
   }
-  bind();
+  bind(options.engine);
   list_omitted();
   const sc_core::sc_time period(1e6 / spec.clock_mhz, sc_core::SC_PS);
   if (options.engine == Engine::lockstep) {
     for (Stage* stage : stages_) stage->run_in_lockstep(period);
     return;
   }
-  // A sample that reaches the classifier lets it read a parent, and the parent's cell is free a cycle later: that can
-  // release the controller before the classifier's own result does.
-  const Cycle round_trip = spec.view_vector_generator.latency + spec.intersection_latency + 1;
-  engine_ = std::make_unique<DecoupledEngine>(stages_, pixel_scan_, view_vector_generator_, controller_.get(),
-                                              round_trip, spec.subdivision_controller.latency);
+  DecoupledEngine::Boxes boxes{pixel_scan_, view_vector_generator_, {}, controller_.get(), tree_accumulator_};
+  for (const auto& unit : intersection_units_) boxes.units.push_back(unit.get());
+  engine_ = std::make_unique<DecoupledEngine>(stages_, std::move(boxes), spec);
   sc_core::sc_spawn(
-      [this, period] {
-        engine_->run();
+      [this, period, last = options.max_cycles] {
+        engine_->run(last);
         sc_core::wait(static_cast<double>(cycles()) * period);  // the kernel's clock shows the frame's end
       },
       "decoupled");
@@ -71,7 +69,7 @@ Fifo<Message>& Processor::connect(const char* name, std::size_t depth, Writer& w
 }
 
 /// All of the machine's wires, in data-flow order.
-void Processor::bind() {
+void Processor::bind(Engine engine) {
   const FifoDepths& depths = spec_.fifos;
   connect<CornerRequest>("pixel_scan_to_view_vector_generator", depths.pixel_scan_to_view_vector_generator, pixel_scan_,
                          pixel_scan_.view_vector_generator, view_vector_generator_, view_vector_generator_.pixel_scan);
@@ -86,18 +84,26 @@ void Processor::bind() {
                            pyramid_classifier_, pyramid_classifier_.intersection_units[k]);
     stages_.push_back(&unit);
   }
+  if (view_vector_generator_.chooses_unit()) {
+    connect<UnitNumber>("view_vector_generator_to_pyramid_classifier", spec_.reorder_buffer, view_vector_generator_,
+                        view_vector_generator_.reorder_buffer, pyramid_classifier_, pyramid_classifier_.reorder_buffer);
+  }
   stages_.push_back(&pyramid_classifier_);
   if (controller_) bind_controller();
-  connect<TerminalMessage>("pyramid_classifier_to_tree_accumulator", depths.pyramid_classifier_to_tree_accumulator,
-                           pyramid_classifier_, pyramid_classifier_.tree_accumulator, tree_accumulator_,
-                           tree_accumulator_.pyramid_classifier);
-  connect<PixelMessage>("tree_accumulator_to_frame_buffer", depths.tree_accumulator_to_frame_buffer, tree_accumulator_,
-                        tree_accumulator_.frame_buffer, frame_buffer_, frame_buffer_.tree_accumulator);
+  auto& nodes = connect<TerminalMessage>(
+      "pyramid_classifier_to_tree_accumulator", depths.pyramid_classifier_to_tree_accumulator, pyramid_classifier_,
+      pyramid_classifier_.tree_accumulator, tree_accumulator_, tree_accumulator_.pyramid_classifier);
+  auto& pixels = connect<PixelMessage>("tree_accumulator_to_frame_buffer", depths.tree_accumulator_to_frame_buffer,
+                                       tree_accumulator_, tree_accumulator_.frame_buffer, frame_buffer_,
+                                       frame_buffer_.tree_accumulator);
   auto& credits = connect<SlotCredit>("tree_accumulator_to_pixel_scan", spec_.pixels_in_flight, tree_accumulator_,
                                       tree_accumulator_.pixel_scan, pixel_scan_, pixel_scan_.tree_accumulator);
   for (std::uint32_t slot = 0; slot < spec_.pixels_in_flight; ++slot) credits.preload({slot});
   stages_.push_back(&tree_accumulator_);
   stages_.push_back(&frame_buffer_);
+  if (engine != Engine::decoupled) return;
+  nodes.wake_reader_when_full();  // nothing but their own time waits for these readers
+  pixels.wake_reader_when_full();
 }
 
 void Processor::bind_controller() {

@@ -29,6 +29,7 @@ struct SimulationOptions {
   Leaf leaf = Leaf::mean;
   Engine engine = Engine::decoupled;
   ScalarFormat scalar = ScalarFormat::double_precision;
+  Cycle max_cycles = never;  ///< the machine stops when it cannot end within so many
   Progress progress;
 };
 
@@ -66,10 +67,9 @@ class Processor final : public sc_core::sc_module {
  private:
   template <class Message, class Writer, class Reader, class Out, class In>
   Fifo<Message>& connect(const char* name, std::size_t depth, Writer& writer, Out& out, Reader& reader, In& in);
-  void bind();
+  void bind(Engine engine);
   void bind_controller();
   void list_omitted();
-  void run_decoupled();
 
   MachineSpec spec_;
   std::unique_ptr<Datapath> datapath_;

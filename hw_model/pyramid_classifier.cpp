@@ -18,7 +18,10 @@ Start PyramidClassifier::next() {
   if (!step_.known) plan();
   if (!step_.known) return Start(never);
   Start start(ready());
-  if (step_.reads_sample) start.needs_token(intersection_units[unit_]);
+  if (step_.reads_sample) {
+    if (reorder_buffer.bound()) start.needs_token(reorder_buffer);
+    start.needs_token(intersection_units[unit_]);
+  }
   if (step_.reads_parent) start.needs_token(parents);
   if (step_.to_controller()) start.needs_room(subdivision_controller);
   if (step_.to_accumulator()) start.needs_room(tree_accumulator);
@@ -31,6 +34,10 @@ void PyramidClassifier::plan() {
     step_.known = true;
     plan_subpixel(3);
     return;
+  }
+  if (reorder_buffer.bound()) {
+    if (reorder_buffer->empty()) return;
+    unit_ = reorder_buffer->front().unit;
   }
   if (intersection_units[unit_]->empty()) return;
   step_.known = true;
@@ -81,20 +88,26 @@ void PyramidClassifier::classify_node() {
 void PyramidClassifier::fire(Cycle now) {
   if (step_.reads_parent) parent_ = parents->read(now);
   if (step_.reads_sample) {
-    const SampleMessage message = intersection_units[unit_]->read(now);
-    unit_ = unit_ + 1 == intersection_units.size() ? 0 : unit_ + 1;
-    if (message.subdivision) {
-      ++samples_;
-    } else {
-      corner_row_[corner_] = message.sample;
-      corner_ = corner_ + 1 == corner_row_.size() ? 0 : corner_ + 1;
-    }
+    take_sample(now);
   } else {
     samples_ = 0;
   }
   if (step_.has_node) emit(now);
   step_.known = false;
   occupy(now, timing_.interval);
+}
+
+void PyramidClassifier::take_sample(Cycle now) {
+  Fifo<SampleMessage>& samples = *intersection_units[unit_];
+  if (samples.front().subdivision) {
+    ++samples_;
+  } else {
+    corner_row_[corner_] = samples.front().sample;
+    if (++corner_ == corner_row_.size()) corner_ = 0;
+  }
+  samples.pop(now);
+  if (reorder_buffer.bound()) reorder_buffer->pop(now);
+  if (++unit_ == intersection_units.size()) unit_ = 0;
 }
 
 void PyramidClassifier::emit(Cycle now) {
@@ -104,8 +117,11 @@ void PyramidClassifier::emit(Cycle now) {
   if (step_.to_controller()) subdivision_controller->write(node, now, timing_.latency);
   if (!step_.to_accumulator()) return;
   ++counts_.terminal_nodes;
-  tree_accumulator->write({palette_.terminal_color(step_.which, node.corners, leaf_), node.tag, node.pyramid.level},
-                          now, timing_.latency);
+  tree_accumulator->write_made(
+      [&] {
+        return TerminalMessage{palette_.terminal_color(step_.which, node.corners, leaf_), node.tag, node.pyramid.level};
+      },
+      now, timing_.latency);
 }
 
 }  // namespace pyrasim::hw

@@ -10,8 +10,8 @@
 
 namespace pyrasim::hw {
 
-/// Puts samples together to pyramids and decides their case. Samples come back in the order in which their rays were
-/// issued, from the units in turn.
+/// Puts samples together to pyramids and decides their case. Takes the samples in the order in which their rays were
+/// issued: from the units in turn, or as the reorder buffer says.
 ///
 /// A corner of the raster completes at most one pixel, with three corners from one row of corner samples. Of the five
 /// samples of a subdivision, the third completes the first subpixel, the fourth the second and the fifth the last two;
@@ -19,6 +19,7 @@ namespace pyrasim::hw {
 class PyramidClassifier final : public StageOf<PyramidClassifier> {
  public:
   sc_core::sc_vector<FifoPort<SampleMessage>> intersection_units;
+  OptionalFifoPort<UnitNumber> reorder_buffer{"reorder_buffer"};  ///< from the generator; only under first_free
   OptionalFifoPort<NodeMessage> parents{"parents"};  ///< the nodes whose five samples are under way, in order
   OptionalFifoPort<NodeMessage> subdivision_controller{"subdivision_controller"};
   FifoPort<TerminalMessage> tree_accumulator{"tree_accumulator"};
@@ -50,6 +51,7 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   void plan_corner(const SampleMessage& message);
   void plan_subpixel(std::size_t child);
   void classify_node();
+  void take_sample(Cycle now);
   void emit(Cycle now);
 
   StageTiming timing_;

@@ -3,21 +3,18 @@
 
 namespace pyrasim::hw {
 
-void Stage::account_wait(const Start& start) {
-  const Cycle waited = start.at() - ready_;
-  StageObserver::State state = StageObserver::State::idle;  // before the first firing the frame has not begun here
-  if (statistics_.firings == 0) {
-    statistics_.idle += waited;
-  } else if (start.starved()) {
-    state = StageObserver::State::starved;
-    statistics_.starved += waited;
-    start.cause()->count_starved(waited);
-  } else {
-    state = StageObserver::State::blocked;
-    statistics_.blocked += waited;
-    start.cause()->count_blocked(waited);
+void Stage::woken() {
+  if (work_ == nullptr) {
+    woken_.notify(sc_core::SC_ZERO_TIME);
+  } else if (!chooses_by_arrival()) {  // the engine asks the others when it is their turn
+    work_->add(*this);
   }
-  if (observer_ != nullptr) observer_->span(state, ready_, start.at());
+}
+
+void Stage::observe_wait(const Start& start) {
+  StageObserver::State state = StageObserver::State::idle;
+  if (statistics_.firings > 0) state = start.starved() ? StageObserver::State::starved : StageObserver::State::blocked;
+  observer_->span(state, ready_, start.at());
 }
 
 StageStatistics Stage::statistics(Cycle cycles) const {
@@ -35,6 +32,7 @@ void Stage::run_in_lockstep(const sc_core::sc_time& period) {
 void Stage::lockstep() {
   Cycle now = 0;
   for (;;) {
+    sleep();
     const Start start = next();
     if (start.at() == now) {
       fire(start);

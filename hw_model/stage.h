@@ -77,7 +77,7 @@ class Stage : public sc_core::sc_module, public FifoEnd {
   virtual Start next() = 0;
   /// Fires at `now` = next().at().
   virtual void fire(Cycle now) = 0;
-  /// Fires while the next firing is known.
+  /// Fires while the next firing is known; then sleeps.
   virtual void drain() = 0;
   /// Whether the stage chooses by what has arrived first; then an unseen token can change its next firing.
   virtual bool chooses_by_arrival() const { return false; }
@@ -88,15 +88,16 @@ class Stage : public sc_core::sc_module, public FifoEnd {
     fire(start.at());
   }
 
-  void wake() final;
-
   /// Statistics of a frame of `cycles` cycles that is over.
   StageStatistics statistics(Cycle cycles) const;
   /// The end of the stage's last busy cycle.
   Cycle ready() const { return ready_; }
 
   /// The stage runs on the decoupled engine, which keeps `work`.
-  void attach(WorkList* work) { work_ = work; }
+  void attach(WorkList& work) {
+    work_ = &work;
+    sleep();  // it may have been told of preloaded tokens
+  }
   void observe(StageObserver* observer) { observer_ = observer; }
   /// Registers the process that runs this stage on the SystemC kernel; before the simulation starts.
   void run_in_lockstep(const sc_core::sc_time& period);
@@ -104,7 +105,18 @@ class Stage : public sc_core::sc_module, public FifoEnd {
   /// Books the cycles from the end of the last firing to `start`.
   void account(const Start& start) {
     assert(start.known() && start.at() >= ready_);
-    if (start.at() != ready_) account_wait(start);
+    const Cycle waited = start.at() - ready_;
+    if (waited == 0) return;
+    if (statistics_.firings == 0) {  // before the first firing the frame has not begun here
+      statistics_.idle += waited;
+    } else if (start.starved()) {
+      statistics_.starved += waited;
+      start.cause()->count_starved(waited);
+    } else {
+      statistics_.blocked += waited;
+      start.cause()->count_blocked(waited);
+    }
+    if (observer_ != nullptr) observe_wait(start);
   }
 
  protected:
@@ -118,49 +130,38 @@ class Stage : public sc_core::sc_module, public FifoEnd {
   }
 
  private:
-  void account_wait(const Start& start);
+  void woken() final;
+  void observe_wait(const Start& start);
   void lockstep();
 
   Cycle ready_ = 0;
   StageStatistics statistics_;
   StageObserver* observer_ = nullptr;
   WorkList* work_ = nullptr;
-  bool queued_ = false;
   sc_core::sc_event woken_;
   sc_core::sc_time period_;
-  friend class WorkList;
 };
 
 class WorkList {
  public:
-  void add(Stage& stage) {
-    if (stage.queued_) return;
-    stage.queued_ = true;
-    stages_.push_back(&stage);
-  }
-  /// Lets stages fire until none has a known next firing.
+  void add(Stage& stage) { stages_.push_back(&stage); }
+  /// Lets stages fire until none that is awake has a known next firing.
   void run() {
-    while (!stages_.empty()) {
-      current_.swap(stages_);
-      for (Stage* stage : current_) {
-        stage->queued_ = false;
-        stage->drain();
-      }
-      current_.clear();
-    }
+    for (std::size_t k = 0; k < stages_.size(); ++k) stages_[k]->drain();
+    stages_.clear();
   }
 
  private:
-  std::vector<Stage*> stages_;
-  std::vector<Stage*> current_;
+  std::vector<Stage*> stages_;  ///< in the order in which they were woken
 };
 
-/// Gives a stage its drain(), with next() and fire() inlined.
+/// Gives a stage its drain(), with next() and fire() inlined. A firing can wake the stage itself; so it sleeps first.
 template <class Derived>
 class StageOf : public Stage {
  public:
-  void drain() override {
+  [[gnu::flatten]] void drain() override {
     auto& self = static_cast<Derived&>(*this);
+    sleep();
     for (Start start = self.Derived::next(); start.known(); start = self.Derived::next()) {
       account(start);
       self.Derived::fire(start.at());
@@ -170,13 +171,5 @@ class StageOf : public Stage {
  protected:
   using Stage::Stage;
 };
-
-inline void Stage::wake() {
-  if (work_ != nullptr) {
-    if (!chooses_by_arrival()) work_->add(*this);
-  } else {
-    woken_.notify(sc_core::SC_ZERO_TIME);
-  }
-}
 
 }  // namespace pyrasim::hw

@@ -10,17 +10,11 @@ SubdivisionController::SubdivisionController(const sc_core::sc_module_name& name
                                              int max_level)
     : StageOf(name), timing_(timing), pool_(pool), max_level_(max_level) {}
 
-Start SubdivisionController::accept_start() const { return Start(ready()).needs_token(pyramid_classifier); }
-
-Start SubdivisionController::issue_start() const {
-  if (!can_issue()) return Start(never);
-  return Start(ready()).needs_room(view_vector_generator).needs_room(parents);
-}
-
 Start SubdivisionController::next() {
-  const Start accept = accept_start();
-  const Start issue = issue_start();
-  return accept.at() <= issue.at() ? accept : issue;
+  const Start accept = Start(ready()).needs_token(pyramid_classifier);
+  const Start issue = can_issue() ? Start(ready()).needs_room(view_vector_generator).needs_room(parents) : Start(never);
+  accepts_ = accept.at() <= issue.at();
+  return accepts_ ? accept : issue;
 }
 
 /// The banker's rule. Worked off depth first, a node of level l replaces its entry by four and needs three more on each
@@ -35,8 +29,9 @@ bool SubdivisionController::can_issue() const {
 }
 
 void SubdivisionController::fire(Cycle now) {
-  if (accept_start().at() == now) {
-    accept(pyramid_classifier->read(now));
+  if (accepts_) {
+    accept(pyramid_classifier->front());
+    pyramid_classifier->pop(now);
   } else {
     issue(now);
   }

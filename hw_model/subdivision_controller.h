@@ -34,8 +34,6 @@ class SubdivisionController final : public StageOf<SubdivisionController> {
   std::size_t pool_max() const { return most_used_; }
 
  private:
-  Start accept_start() const;
-  Start issue_start() const;
   bool can_issue() const;
   void accept(const NodeMessage& node);
   void issue(Cycle now);
@@ -50,6 +48,7 @@ class SubdivisionController final : public StageOf<SubdivisionController> {
   std::size_t reserved_ = 0;            ///< entries kept for subpixels under way
   std::size_t unsettled_ = 4;           ///< of them, those of the family that is coming in
   std::size_t most_used_ = 0;
+  bool accepts_ = false;  ///< the next firing accepts a node; else it issues a request
 };
 
 }  // namespace pyrasim::hw

@@ -19,20 +19,24 @@ Start TreeAccumulator::next() {
 }
 
 void TreeAccumulator::fire(Cycle now) {
-  const TerminalMessage node = pyramid_classifier->read(now);
+  const TerminalMessage& node = pyramid_classifier->front();
   if (node.level == 0) {
-    frame_buffer->write({node.tag.pixel, single_node_result(node.color)}, now, timing_.latency);
-    pixel_scan->write({node.tag.slot}, now, timing_.latency);
+    finish(node.tag, single_node_result(node.color), now);
   } else {
     TraceTree& tree = trees_[node.tag.slot];
     tree.add_terminal_node(node.level, node.color, max_level_);
     if (tree.complete(max_level_)) {
-      frame_buffer->write({node.tag.pixel, tree.result(max_level_)}, now, timing_.latency);
-      pixel_scan->write({node.tag.slot}, now, timing_.latency);
+      finish(node.tag, tree.result(max_level_), now);
       tree = {};
     }
   }
+  pyramid_classifier->pop(now);
   occupy(now, timing_.interval);
+}
+
+void TreeAccumulator::finish(const PixelTag& tag, const glm::vec3& color, Cycle now) {
+  frame_buffer->write_made([&] { return PixelMessage{tag.pixel, color}; }, now, timing_.latency);
+  pixel_scan->write({tag.slot}, now, timing_.latency);
 }
 
 }  // namespace pyrasim::hw

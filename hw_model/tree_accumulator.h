@@ -25,6 +25,7 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
 
  private:
   bool completes(const TerminalMessage& node) const;
+  void finish(const PixelTag& tag, const glm::vec3& color, Cycle now);
 
   StageTiming timing_;
   int max_level_;

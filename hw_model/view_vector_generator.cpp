@@ -4,33 +4,68 @@
 namespace pyrasim::hw {
 
 ViewVectorGenerator::ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units,
-                                         const Datapath& datapath, int max_level)
+                                         Dispatch dispatch, const Datapath& datapath, int max_level)
     : StageOf(name),
       intersection_units("intersection_unit", units),
       timing_(timing),
+      dispatch_(units == 1 ? Dispatch::round_robin : dispatch),
       datapath_(datapath),
       max_level_(max_level) {}
 
-Start ViewVectorGenerator::corner_start() const {
-  return Start(ready()).needs_token(pixel_scan).needs_room(intersection_units[unit_]);
-}
-
-Start ViewVectorGenerator::request_start() const {
-  if (subdivision_controller.size() == 0) return Start(never);
-  return Start(ready()).needs_token(subdivision_controller).needs_room(intersection_units[unit_]);
-}
-
 Start ViewVectorGenerator::next() {
-  if (rays_left_ > 0) return Start(ready()).needs_room(intersection_units[unit_]);
-  const Start request = request_start();
-  const Start corner = corner_start();
-  return request.known() && request.at() <= corner.at() ? request : corner;
+  Start start(ready());
+  if (rays_left_ == 0) {
+    reads_request_ = request_goes_first();
+    if (reads_request_) {
+      start.needs_token(subdivision_controller);
+    } else {
+      start.needs_token(pixel_scan);
+    }
+  }
+  return with_room(start);
+}
+
+/// A request goes first that is there no later than the corner, or than anything at all could be issued.
+bool ViewVectorGenerator::request_goes_first() {
+  if (!subdivision_controller.bound() || subdivision_controller->empty()) return false;
+  const Cycle request = subdivision_controller->token();
+  return request <= pixel_scan->token() || request <= with_room(Start(ready())).at();
+}
+
+/// `start`, once there is room for the ray; under first_free this settles which unit it goes to.
+Start ViewVectorGenerator::with_room(Start start) {
+  return chooses_unit() ? with_free_unit(start) : start.needs_room(intersection_units[unit_]);
+}
+
+Start ViewVectorGenerator::with_free_unit(Start start) {
+  const auto following = [&](std::size_t unit) { return unit + 1 == intersection_units.size() ? 0 : unit + 1; };
+  std::size_t earliest = unit_;
+  for (std::size_t unit = following(unit_); unit != unit_; unit = following(unit)) {
+    if (intersection_units[unit]->room() < intersection_units[earliest]->room()) earliest = unit;
+  }
+  start.needs_room(intersection_units[earliest]).needs_room(reorder_buffer);
+  free_unit_ = unit_;
+  while (start.known() && intersection_units[free_unit_]->room() > start.at()) free_unit_ = following(free_unit_);
+  return start;
+}
+
+[[gnu::flatten]] bool ViewVectorGenerator::fire_before(Cycle horizon) {
+  bool fired = false;
+  do {
+    const Start start = next();
+    if (start.at() >= horizon) return fired;
+    account(start);
+    ViewVectorGenerator::fire(start.at());
+    fired = true;
+  } while (sees_next_corner() && rays_left_ != subdivision_rays - 1);
+  return fired;
 }
 
 void ViewVectorGenerator::fire(Cycle now) {
-  if (rays_left_ == 0 && request_start().at() == now) {
+  if (reads_request_) {
     request_ = subdivision_controller->read(now).pyramid;
     rays_left_ = subdivision_rays;
+    reads_request_ = false;
   }
   if (rays_left_ > 0) {
     issue(subdivision_point(request_, subdivision_rays - rays_left_, max_level_), request_.level + 1, {}, now);
@@ -44,8 +79,16 @@ void ViewVectorGenerator::fire(Cycle now) {
 
 void ViewVectorGenerator::issue(GridPoint point, std::uint32_t level, const PixelTag& tag, Cycle now) {
   ++rays_by_level_[level];
-  intersection_units[unit_]->write({datapath_.view_vector(point), tag, level > 0}, now, timing_.latency);
-  unit_ = unit_ + 1 == intersection_units.size() ? 0 : unit_ + 1;
+  if (dispatch_ == Dispatch::first_free) {
+    unit_ = free_unit_;
+    reorder_buffer->write({static_cast<std::uint32_t>(unit_)}, now, timing_.latency);
+  }
+  intersection_units[unit_]->write_made(
+      [&] {
+        return RayMessage{datapath_.view_vector(point), tag, level > 0};
+      },
+      now, timing_.latency);
+  if (++unit_ == intersection_units.size()) unit_ = 0;
 }
 
 }  // namespace pyrasim::hw

@@ -11,15 +11,16 @@
 namespace pyrasim::hw {
 
 /// Computes view vectors by formulas (2) to (5): one for a corner of the raster, five for a subdivision request, one a
-/// firing; and deals the rays out to the intersection units in turn. Requests go before corners, so that a pixel that
-/// is begun is finished; a request's five rays stay together.
+/// firing; and deals the rays out to the intersection units, as the dispatch policy says. Requests go before corners,
+/// so that a pixel that is begun is finished; a request's five rays stay together.
 class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
  public:
   FifoPort<CornerRequest> pixel_scan{"pixel_scan"};
   OptionalFifoPort<SubdivisionRequest> subdivision_controller{"subdivision_controller"};
   sc_core::sc_vector<FifoPort<RayMessage>> intersection_units;
+  OptionalFifoPort<UnitNumber> reorder_buffer{"reorder_buffer"};  ///< to the classifier; only under first_free
 
-  ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units,
+  ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, Dispatch dispatch,
                       const Datapath& datapath, int max_level);
 
   Start next() override;
@@ -28,22 +29,32 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
 
   /// Whether no token that is still unseen could be a corner that goes first.
   bool sees_next_corner() const { return rays_left_ > 0 || !pixel_scan->empty(); }
-  /// Whether the last firing took up a request.
-  bool begins_request() const { return rays_left_ == subdivision_rays - 1; }
+  /// Whether the unit that a ray goes to depends on what has room first.
+  bool chooses_unit() const { return dispatch_ == Dispatch::first_free; }
+  /// Fires before `horizon`: until the next corner is not seen, or with the first ray of a request, whose reading makes
+  /// room for another. Returns whether it fired at all. Requires that whatever could still come to be seen comes later
+  /// than next().
+  bool fire_before(Cycle horizon);
+  /// That the next ray goes to, where the generator does not choose.
+  std::size_t next_unit() const { return unit_; }
   /// Rays issued to form subpixels of each level; [0] are the corners of the raster.
   const std::array<std::uint64_t, max_level_limit + 1>& rays_by_level() const { return rays_by_level_; }
 
  private:
-  Start corner_start() const;
-  Start request_start() const;
+  bool request_goes_first();
+  Start with_room(Start start);
+  Start with_free_unit(Start start);
   void issue(GridPoint point, std::uint32_t level, const PixelTag& tag, Cycle now);
 
   StageTiming timing_;
+  Dispatch dispatch_;
   const Datapath& datapath_;
   int max_level_;
-  Pyramid request_;            ///< whose rays are being issued
-  std::size_t rays_left_ = 0;  ///< of request_
-  std::size_t unit_ = 0;       ///< that the next ray goes to
+  Pyramid request_;             ///< whose rays are being issued
+  std::size_t rays_left_ = 0;   ///< of request_
+  bool reads_request_ = false;  ///< the next firing takes up a request
+  std::size_t unit_ = 0;        ///< that the next ray goes to, or from which first_free counts on
+  std::size_t free_unit_ = 0;   ///< that first_free has settled on
   std::array<std::uint64_t, max_level_limit + 1> rays_by_level_{};
 };
 

@@ -69,13 +69,13 @@ VcdTrace::VcdTrace(Processor& processor) : processor_(processor) {
   }
   for (FifoBase* fifo : processor.fifos()) {
     fifos_.push_back(std::make_unique<FifoSignal>(fifo->size()));
-    fifo->observe(fifos_.back().get());
+    fifo->observe(*fifos_.back());
   }
 }
 
 VcdTrace::~VcdTrace() {
   for (Stage* stage : processor_.stages()) stage->observe(nullptr);
-  for (FifoBase* fifo : processor_.fifos()) fifo->observe(nullptr);
+  for (std::size_t k = 0; k < fifos_.size(); ++k) processor_.fifos()[k]->ignore(*fifos_[k]);
 }
 
 namespace {

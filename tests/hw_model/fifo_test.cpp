@@ -129,7 +129,10 @@ TEST(Fifo, StatisticsDoNotDependOnTheOrderOfCalls) {
 
 struct CountingEnd : FifoEnd {
   int wakes = 0;
-  void wake() override { ++wakes; }
+  void woken() override {
+    ++wakes;
+    sleep();
+  }
 };
 
 TEST(Fifo, WakesTheReaderWhenItWasEmptyAndTheWriterWhenItWasFull) {
@@ -147,6 +150,32 @@ TEST(Fifo, WakesTheReaderWhenItWasEmptyAndTheWriterWhenItWasFull) {
   EXPECT_EQ(writer.wakes, 1);
   fifo.write(0, 4, 1);
   EXPECT_EQ(reader.wakes, 2);
+}
+
+TEST(Fifo, WakesAPatientReaderOnlyWhenItIsFull) {
+  Fifo<int> fifo("fifo", 3);
+  CountingEnd writer;
+  CountingEnd reader;
+  fifo.connect(writer, reader);
+  fifo.wake_reader_when_full();
+  fifo.write(0, 0, 1);
+  fifo.write(0, 1, 1);
+  EXPECT_EQ(reader.wakes, 0);
+  fifo.write(0, 2, 1);
+  EXPECT_EQ(reader.wakes, 1);
+}
+
+TEST(FifoEnd, IsToldOnceUntilItSleepsAgain) {
+  struct End : FifoEnd {
+    int wakes = 0;
+    void woken() override { ++wakes; }
+  } end;
+  end.wake();
+  end.wake();
+  EXPECT_EQ(end.wakes, 1);
+  end.sleep();
+  end.wake();
+  EXPECT_EQ(end.wakes, 2);
 }
 
 }  // namespace

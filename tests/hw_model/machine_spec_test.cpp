@@ -137,9 +137,18 @@ TEST(RequiredPool, OneLessIsRefusedBeforeElaboration) {
     const std::string message = error_of<InputError>([&] { Processor("machine", scene, spec, options); });
     EXPECT_TRUE(contains(message, "/subdivision_controller/pool: " + std::to_string(spec.subdivision_pool))) << message;
     EXPECT_TRUE(contains(message, "at least " + std::to_string(required_pool(max_level)))) << message;
-    EXPECT_NE(error_of<InputError>([&] { check_machine_holds(spec, max_level); }), "(no error)");
-    check_machine_holds(spec, max_level - 1);
+    EXPECT_NE(error_of<InputError>([&] { check_machine_holds(spec, max_level, 4); }), "(no error)");
+    check_machine_holds(spec, max_level - 1, 4);
   }
+}
+
+TEST(CornerRow, OneLessThanARowAndOneIsRefused) {
+  MachineSpec spec;
+  spec.corner_row = 12;
+  check_machine_holds(spec, 0, 10);
+  const std::string message = error_of<InputError>([&] { check_machine_holds(spec, 0, 11); });
+  EXPECT_TRUE(contains(message, "/pyramid_classifier/corner_row: 12 cannot hold")) << message;
+  EXPECT_TRUE(contains(message, "at least 13")) << message;
 }
 
 }  // namespace
