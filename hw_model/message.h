@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "hw_model/cycle.h"
 #include "pyramid/pyramid.h"
 #include "pyramid/terminal_color.h"
 
@@ -16,6 +17,7 @@ inline constexpr std::uint32_t no_pixel = 0xFFFFFFFFU;
 struct PixelTag {
   std::uint32_t pixel = no_pixel;  ///< row * columns + column
   std::uint32_t slot = 0;          ///< of the tree accumulator, where its trace tree is summed
+  Cycle admitted = 0;              ///< when the pixel scan sent the corner that completes it
 };
 
 /// A free slot of the tree accumulator.

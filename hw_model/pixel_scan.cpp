@@ -19,7 +19,7 @@ Start PixelScan::next() {
 
 void PixelScan::fire(Cycle now) {
   PixelTag tag;
-  if (completes_pixel()) tag = {(row_ - 1) * columns_ + column_ - 1, tree_accumulator->read(now).slot};
+  if (completes_pixel()) tag = {(row_ - 1) * columns_ + column_ - 1, tree_accumulator->read(now).slot, now};
   view_vector_generator->write({{row_ << max_level_, column_ << max_level_}, tag}, now, timing_.latency);
   if (++column_ > columns_) {
     column_ = 0;

@@ -9,7 +9,7 @@ namespace pyrasim::hw {
 namespace {
 
 MachineSpec checked(const MachineSpec& spec, const Scene& scene, const SimulationOptions& options) {
-  check_machine_holds(spec, options.max_level, scene.camera.screen.columns);
+  if (options.check_machine) check_machine_holds(spec, options.max_level, scene.camera.screen.columns);
   return spec;
 }
 
@@ -18,6 +18,7 @@ MachineSpec checked(const MachineSpec& spec, const Scene& scene, const Simulatio
 Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, const MachineSpec& spec,
                      const SimulationOptions& options)
     : sc_module(name),
+      max_cycles_(options.max_cycles),
       spec_(checked(spec, scene, options)),
       datapath_(make_datapath(scene, std::int64_t{1} << options.max_level, options.scalar)),
       contents_(datapath_->contents()),
@@ -41,15 +42,15 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
   list_omitted();
   const sc_core::sc_time period(1e6 / spec.clock_mhz, sc_core::SC_PS);
   if (options.engine == Engine::lockstep) {
-    for (Stage* stage : stages_) stage->run_in_lockstep(period);
+    for (Stage* stage : stages_) stage->run_in_lockstep(period, options.max_cycles);
     return;
   }
   DecoupledEngine::Boxes boxes{pixel_scan_, view_vector_generator_, {}, controller_.get(), tree_accumulator_};
   for (const auto& unit : intersection_units_) boxes.units.push_back(unit.get());
   engine_ = std::make_unique<DecoupledEngine>(stages_, std::move(boxes), spec);
   sc_core::sc_spawn(
-      [this, period, last = options.max_cycles] {
-        engine_->run(last);
+      [this, period] {
+        engine_->run(max_cycles_);
         sc_core::wait(static_cast<double>(cycles()) * period);  // the kernel's clock shows the frame's end
       },
       "decoupled");
@@ -64,6 +65,7 @@ Fifo<Message>& Processor::connect(const char* name, std::size_t depth, Writer& w
   fifo->connect(writer, reader);
   Fifo<Message>& channel = *fifo;
   fifos_.push_back(&channel);
+  wires_.push_back({&channel, &writer, &reader});
   channels_.push_back(std::move(fifo));
   return channel;
 }
@@ -151,21 +153,12 @@ FrameStatistics Processor::statistics() const {
   return statistics;
 }
 
-std::string Processor::state() {
-  std::string text;
-  for (Stage* stage : stages_) {
-    const Start start = stage->next();
-    text += fmt::format(
-        "  {}: ready at {}, {}\n", stage->basename(), stage->ready(),
-        start.known() ? fmt::format("fires at {}", start.at())
-        : start.cause() == nullptr
-            ? std::string("has nothing to do")
-            : fmt::format("waits for {} {}", start.starved() ? "a token from" : "room in", start.cause()->basename()));
-  }
-  for (const FifoBase* fifo : fifos_) {
-    text += fmt::format("  {}: {} of {}\n", fifo->basename(), fifo->size(), fifo->statistics().depth);
-  }
-  return text;
+bool Processor::at_rest() const {
+  return std::none_of(stages_.begin(), stages_.end(), [](Stage* stage) { return stage->next().known(); });
+}
+
+const Wire& Processor::wire_of(const FifoBase& fifo) const {
+  return *std::find_if(wires_.begin(), wires_.end(), [&](const Wire& wire) { return wire.fifo == &fifo; });
 }
 
 }  // namespace pyrasim::hw

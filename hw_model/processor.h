@@ -29,8 +29,16 @@ struct SimulationOptions {
   Leaf leaf = Leaf::mean;
   Engine engine = Engine::decoupled;
   ScalarFormat scalar = ScalarFormat::double_precision;
-  Cycle max_cycles = never;  ///< the machine stops when it cannot end within so many
+  Cycle max_cycles = never;   ///< the machine stops once it cannot end within so many
+  bool check_machine = true;  ///< refuse a machine that cannot hold the frame; off only to see it deadlock
   Progress progress;
+};
+
+/// A FIFO and the stages at its ends.
+struct Wire {
+  FifoBase* fifo;
+  Stage* writer;
+  Stage* reader;
 };
 
 /// A box of the block diagram that was left out, and why.
@@ -46,10 +54,12 @@ class Processor final : public sc_core::sc_module {
   Processor(const sc_core::sc_module_name& name, const Scene& scene, const MachineSpec& spec,
             const SimulationOptions& options);
 
-  /// Whether every pixel has been stored. If not once the simulation is over, the machine is deadlocked.
+  /// Whether every pixel has been stored. If not once the simulation is over, the machine is deadlocked, or was stopped
+  /// at max_cycles(). See report/deadlock.h.
   bool complete() const { return frame_buffer_.complete(); }
-  /// A line for each stage and FIFO: what it holds and waits for. For a deadlock's report.
-  std::string state();
+  Cycle max_cycles() const { return max_cycles_; }
+  /// Whether no stage can fire.
+  bool at_rest() const;
 
   /// The frame's cycles: from 0 until the last pixel is stored and every stage is at rest.
   Cycle cycles() const;
@@ -60,6 +70,9 @@ class Processor final : public sc_core::sc_module {
   /// In data-flow order, of what was built.
   const std::vector<Stage*>& stages() const { return stages_; }
   const std::vector<FifoBase*>& fifos() const { return fifos_; }
+  const std::vector<Wire>& wires() const { return wires_; }
+  const Wire& wire_of(const FifoBase& fifo) const;
+  const TreeAccumulator& tree_accumulator() const { return tree_accumulator_; }
   const SceneContents& contents() const { return contents_; }
   const std::vector<OmittedUnit>& omitted() const { return omitted_; }
   const SubdivisionController* controller() const { return controller_.get(); }
@@ -71,6 +84,7 @@ class Processor final : public sc_core::sc_module {
   void bind_controller();
   void list_omitted();
 
+  Cycle max_cycles_;
   MachineSpec spec_;
   std::unique_ptr<Datapath> datapath_;
   SceneContents contents_;
@@ -84,6 +98,7 @@ class Processor final : public sc_core::sc_module {
   std::vector<std::unique_ptr<FifoBase>> channels_;
   std::vector<Stage*> stages_;
   std::vector<FifoBase*> fifos_;
+  std::vector<Wire> wires_;
   std::vector<OmittedUnit> omitted_;
   std::unique_ptr<DecoupledEngine> engine_;
 };

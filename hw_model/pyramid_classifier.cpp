@@ -16,8 +16,8 @@ PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, StageT
 
 Start PyramidClassifier::next() {
   if (!step_.known) plan();
-  if (!step_.known) return Start(never);
   Start start(ready());
+  if (!step_.known) return await_sample(start);
   if (step_.reads_sample) {
     if (reorder_buffer.bound()) start.needs_token(reorder_buffer);
     start.needs_token(intersection_units[unit_]);
@@ -26,6 +26,12 @@ Start PyramidClassifier::next() {
   if (step_.to_controller()) start.needs_room(subdivision_controller);
   if (step_.to_accumulator()) start.needs_room(tree_accumulator);
   return start;
+}
+
+/// Nothing is known until the next sample is seen.
+Start PyramidClassifier::await_sample(Start start) const {
+  if (reorder_buffer.bound() && reorder_buffer->empty()) return start.needs_token(reorder_buffer);
+  return start.needs_token(intersection_units[unit_]);
 }
 
 void PyramidClassifier::plan() {

@@ -47,6 +47,7 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
     bool to_accumulator() const { return has_node && !node.subdivide; }
   };
 
+  Start await_sample(Start start) const;
   void plan();
   void plan_corner(const SampleMessage& message);
   void plan_subpixel(std::size_t child);

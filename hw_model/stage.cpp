@@ -24,16 +24,17 @@ StageStatistics Stage::statistics(Cycle cycles) const {
   return statistics;
 }
 
-void Stage::run_in_lockstep(const sc_core::sc_time& period) {
+void Stage::run_in_lockstep(const sc_core::sc_time& period, Cycle last) {
   period_ = period;
-  sc_core::sc_spawn([this] { lockstep(); }, (std::string(basename()) + "_process").c_str());
+  sc_core::sc_spawn([this, last] { lockstep(last); }, (std::string(basename()) + "_process").c_str());
 }
 
-void Stage::lockstep() {
+void Stage::lockstep(Cycle last) {
   Cycle now = 0;
   for (;;) {
     sleep();
     const Start start = next();
+    if (start.known() && start.at() > last) return;
     if (start.at() == now) {
       fire(start);
       continue;

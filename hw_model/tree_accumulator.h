@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "hw_model/latency_histogram.h"
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
 #include "hw_model/stage.h"
@@ -23,13 +25,23 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
   Start next() override;
   void fire(Cycle now) override;
 
+  /// Cycles from the scan's sending of a pixel's last corner to its colour being visible to the frame buffer; by the
+  /// deepest level of the pixel's trace tree.
+  using LatencyByLevel = std::array<LatencyHistogram, max_level_limit + 1>;
+  const LatencyByLevel& latencies() const { return latencies_; }
+
  private:
   bool completes(const TerminalMessage& node) const;
-  void finish(const PixelTag& tag, const glm::vec3& color, Cycle now);
+  void finish(const PixelTag& tag, std::uint32_t deepest, const glm::vec3& color, Cycle now);
 
   StageTiming timing_;
   int max_level_;
-  std::vector<TraceTree> trees_;  ///< by slot
+  struct Slot {
+    TraceTree tree;
+    std::uint32_t deepest = 0;  ///< level of the nodes so far
+  };
+  std::vector<Slot> slots_;
+  LatencyByLevel latencies_;
 };
 
 }  // namespace pyrasim::hw

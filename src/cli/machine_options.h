@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hw_model/cycle.h"
 #include "hw_model/machine_spec.h"
 
 namespace pyrasim::cli {
@@ -13,6 +14,7 @@ namespace pyrasim::cli {
 struct MachineOptions {
   std::string file;                    ///< empty: the default machine
   std::vector<std::string> overrides;  ///< "path=value"
+  hw::Cycle max_cycles = hw::never;
 
   void add(CLI::App& command) {
     command.add_option("--machine", file, "machine file (JSON); the default machine without it")->type_name("FILE");
@@ -20,6 +22,11 @@ struct MachineOptions {
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        .add_option("--max-cycles", max_cycles,
+                    "give up on a frame that takes longer: exit code 4, and the machine's state")
+        ->type_name("N")
+        ->check(CLI::Range(hw::Cycle{1}, hw::never - 1));
   }
   hw::MachineSpec load() const {
     return hw::load_machine(file.empty() ? std::nullopt : std::optional<std::filesystem::path>(file), overrides);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,7 +7,8 @@
 #include "cli/command.h"
 #include "cli/machine_options.h"
 #include "cli/statistics_document.h"
-#include "error.h"
+#include "hw_model/report/deadlock.h"
+#include "hw_model/trace/occupancy.h"
 #include "hw_model/trace/vcd_trace.h"
 
 namespace pyrasim::cli {
@@ -31,6 +30,7 @@ struct SimulateCommand {
     options.leaf = frame.leaf;
     options.engine = engine;
     options.scalar = frame.scalar;
+    options.max_cycles = machine.max_cycles;
     options.progress = progress_bar("simulating");
     check_addressable(scene.camera.screen, options.max_level);
     PictureOutput picture(image);
@@ -42,13 +42,15 @@ struct SimulateCommand {
     hw::Processor processor("processor", scene, spec, options);
     std::optional<hw::VcdTrace> recorder;
     if (vcd) recorder.emplace(processor);
-    sc_core::sc_start();
-    if (!processor.complete()) {
-      throw LimitError(fmt::format("deadlock: no stage can go on\n{}", processor.state()));
+    std::vector<std::unique_ptr<hw::Occupancy>> occupancies;
+    if (statistics) {
+      for (hw::FifoBase* fifo : processor.fifos()) occupancies.push_back(std::make_unique<hw::Occupancy>(*fifo));
     }
+    sc_core::sc_start();
+    hw::require_finished(processor);
     picture.write(processor.image());
     if (vcd) vcd->write(recorder->text());
-    if (statistics) statistics->write(text_of(simulation_document(frame.scene, options, processor)));
+    if (statistics) statistics->write(text_of(simulation_document(frame.scene, options, processor, occupancies)));
     (stats == "-" || trace == "-" ? std::cerr : std::cout)
         << simulation_table(frame.scene, options.max_level, processor);
   }

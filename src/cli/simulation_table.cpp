@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/statistics_document.h"
+#include "hw_model/report/bottleneck.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -47,6 +48,25 @@ std::string unit_lines(const hw::Processor& processor) {
 
 }  // namespace
 
+namespace {
+
+std::string latency_line(const hw::Processor& processor) {
+  hw::LatencyHistogram all;
+  for (const hw::LatencyHistogram& level : processor.tree_accumulator().latencies()) all += level;
+  return fmt::format("pixel latency {:>12}   cycles at the median, {} at 99 %, {} at most\n",
+                     grouped(all.percentile(0.5)), grouped(all.percentile(0.99)), grouped(all.max()));
+}
+
+std::string bottleneck_lines(const hw::Processor& processor) {
+  const hw::LowerBound bound = hw::lower_bound(processor);
+  return fmt::format("lower bound   {:>12}   cycles, the work of the {}; the machine is at {:.1f} % of it\n",
+                     grouped(bound.cycles), bound.unit,
+                     100 * static_cast<double>(bound.cycles) / static_cast<double>(processor.cycles())) +
+         fmt::format("bottleneck    {}\n", hw::bottleneck_text(hw::bottleneck_chain(processor)));
+}
+
+}  // namespace
+
 std::string simulation_table(const std::string& scene, int max_level, const hw::Processor& processor) {
   const hw::MachineSpec& spec = processor.spec();
   const bool met = processor.cycles() <= spec.budget();
@@ -56,6 +76,7 @@ std::string simulation_table(const std::string& scene, int max_level, const hw::
   text += unit_lines(processor);
   text += fmt::format("\ncycles        {:>12}   {:.1f} frames per second at {} MHz\n", grouped(processor.cycles()),
                       frames_per_second(processor), spec.clock_mhz);
+  text += bottleneck_lines(processor) + latency_line(processor);
   text += fmt::format("budget        {:>12}   for {} frames per second: {}\n", grouped(spec.budget()), spec.goal_fps,
                       met ? "met" : "missed");
   return text;

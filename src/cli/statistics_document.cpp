@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hw_model/report/bottleneck.h"
 #include "image/image_hash.h"
 #include "version.h"
 
@@ -66,6 +67,15 @@ ordered_json machine_document(const hw::Processor& processor) {
           {"omitted", omitted}};
 }
 
+ordered_json waits_document(const hw::Processor& processor, const hw::Stage& stage) {
+  ordered_json waits = ordered_json::array();
+  for (const hw::Wait& wait : hw::waits(processor, stage)) {
+    waits.push_back(
+        {{"fifo", wait.fifo->basename()}, {"for", wait.starved ? "token" : "room"}, {"cycles", wait.cycles}});
+  }
+  return waits;
+}
+
 ordered_json units_document(const hw::Processor& processor) {
   ordered_json units = ordered_json::array();
   for (const hw::Stage* stage : processor.stages()) {
@@ -74,14 +84,53 @@ ordered_json units_document(const hw::Processor& processor) {
                      {"busy", statistics.busy},
                      {"starved", statistics.starved},
                      {"blocked", statistics.blocked},
-                     {"idle", statistics.idle}});
+                     {"idle", statistics.idle},
+                     {"waits", waits_document(processor, *stage)}});
   }
   return units;
 }
 
-ordered_json fifos_document(const hw::Processor& processor) {
+/// Where the frame's cycles went: the chain of causes, and how far the machine is from what its work imposes.
+ordered_json bottleneck_document(const hw::Processor& processor) {
+  ordered_json chain = ordered_json::array();
+  for (const hw::BottleneckLink& link : hw::bottleneck_chain(processor)) {
+    chain.push_back({{"unit", link.unit}, {"busy", link.busy}});
+    if (link.waited > 0) chain.back()[link.starved ? "starved_by_next" : "blocked_by_next"] = link.waited;
+  }
+  const hw::LowerBound bound = hw::lower_bound(processor);
+  return {{"chain", chain}, {"lower_bound", {{"unit", bound.unit}, {"cycles", bound.cycles}}}};
+}
+
+ordered_json latency_document(const hw::LatencyHistogram& histogram) {
+  ordered_json classes = ordered_json::array();
+  histogram.for_each_class([&](hw::Cycle last, std::uint64_t pixels) {
+    classes.push_back({{"up_to", last}, {"pixels", pixels}});
+  });
+  return {{"pixels", histogram.count()},
+          {"mean", histogram.mean()},
+          {"p50", histogram.percentile(0.5)},
+          {"p90", histogram.percentile(0.9)},
+          {"p99", histogram.percentile(0.99)},
+          {"max", histogram.max()},
+          {"histogram", classes}};
+}
+
+ordered_json latencies_document(const hw::Processor& processor, int max_level) {
+  ordered_json by_level = ordered_json::array();
+  hw::LatencyHistogram all;
+  for (std::size_t level = 0; level <= static_cast<std::size_t>(max_level); ++level) {
+    const hw::LatencyHistogram& histogram = processor.tree_accumulator().latencies()[level];
+    by_level.push_back(latency_document(histogram));
+    all += histogram;
+  }
+  return {{"all", latency_document(all)}, {"by_level", by_level}};
+}
+
+ordered_json fifos_document(const hw::Processor& processor,
+                            const std::vector<std::unique_ptr<hw::Occupancy>>& occupancies) {
   ordered_json fifos = ordered_json::array();
-  for (const hw::FifoBase* fifo : processor.fifos()) {
+  for (std::size_t k = 0; k < processor.fifos().size(); ++k) {
+    const hw::FifoBase* fifo = processor.fifos()[k];
     const hw::FifoStatistics statistics = fifo->statistics(processor.cycles());
     const double mean = static_cast<double>(statistics.token_cycles) / static_cast<double>(processor.cycles());
     fifos.push_back({{"name", fifo->basename()},
@@ -90,7 +139,9 @@ ordered_json fifos_document(const hw::Processor& processor) {
                      {"mean", mean},
                      {"tokens", statistics.tokens},
                      {"reader_starved", statistics.starved},
-                     {"writer_blocked", statistics.blocked}});
+                     {"writer_blocked", statistics.blocked},
+                     {"occupancy",
+                      {{"stride", occupancies[k]->stride()}, {"tokens", occupancies[k]->points(processor.cycles())}}}});
   }
   return fifos;
 }
@@ -119,7 +170,8 @@ ordered_json render_document(const std::string& scene, const Method& method, Sca
 }
 
 ordered_json simulation_document(const std::string& scene, const hw::SimulationOptions& options,
-                                 const hw::Processor& processor) {
+                                 const hw::Processor& processor,
+                                 const std::vector<std::unique_ptr<hw::Occupancy>>& occupancies) {
   ordered_json document = head(scene, "pyramid", options.max_level, options.scalar, options.leaf, processor.image());
   document["engine"] = options.engine == hw::Engine::decoupled ? "decoupled" : "lockstep";
   add_counts(document, processor.statistics(), options.max_level);
@@ -127,7 +179,9 @@ ordered_json simulation_document(const std::string& scene, const hw::SimulationO
   document["image"] = {{"sha256", image_sha256(processor.image())}};
   document["machine"] = machine_document(processor);
   document["units"] = units_document(processor);
-  document["fifos"] = fifos_document(processor);
+  document["fifos"] = fifos_document(processor, occupancies);
+  document["bottleneck"] = bottleneck_document(processor);
+  document["pixel_latency"] = latencies_document(processor, options.max_level);
   return document;
 }
 

@@ -2,11 +2,14 @@
 // What --stats writes: one JSON document, described by docs/schemas/statistics.schema.json.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/command.h"
 #include "hw_model/processor.h"
+#include "hw_model/trace/occupancy.h"
 
 namespace pyrasim::cli {
 
@@ -14,9 +17,10 @@ namespace pyrasim::cli {
 nlohmann::ordered_json render_document(const std::string& scene, const Method& method, ScalarFormat scalar,
                                        const Rendering& rendering);
 
-/// Of a simulated frame.
+/// Of a simulated frame. `occupancies`: of the processor's FIFOs, in their order.
 nlohmann::ordered_json simulation_document(const std::string& scene, const hw::SimulationOptions& options,
-                                           const hw::Processor& processor);
+                                           const hw::Processor& processor,
+                                           const std::vector<std::unique_ptr<hw::Occupancy>>& occupancies);
 
 /// The document as text. A name that is not UTF-8 shows with U+FFFD in its place.
 std::string text_of(const nlohmann::ordered_json& document);

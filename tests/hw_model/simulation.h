@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hw_model/processor.h"
+#include "hw_model/report/deadlock.h"
 #include "render/pyramid_renderer.h"
 
 namespace pyrasim::hw {
@@ -25,7 +26,7 @@ class Simulation {
 
   void run() {
     sc_core::sc_start();
-    for (const auto& machine : machines_) ASSERT_TRUE(machine->complete()) << machine->state();
+    for (const auto& machine : machines_) ASSERT_TRUE(machine->complete()) << machine_state(*machine);
   }
 
  private:

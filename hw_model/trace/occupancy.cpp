@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/trace/occupancy.h"
+
+namespace pyrasim::hw {
+
+Occupancy::Occupancy(FifoBase& fifo) : fifo_(fifo), present_(static_cast<std::int64_t>(fifo.size())) {
+  fifo_.observe(*this);
+}
+
+Occupancy::~Occupancy() { fifo_.ignore(*this); }
+
+/// What changes at `at` shows at the first point not earlier.
+std::int64_t& Occupancy::change_from(Cycle at) {
+  const auto point = [&] { return static_cast<std::size_t>((at + stride() - 1) >> shift_); };
+  while (point() >= most_points) {
+    for (std::size_t k = 1; k < changes_.size(); ++k) {
+      const std::int64_t change = changes_[k];
+      changes_[k] = 0;
+      changes_[(k + 1) / 2] += change;
+    }
+    ++shift_;
+  }
+  if (point() >= changes_.size()) changes_.resize(point() + 1);
+  return changes_[point()];
+}
+
+std::vector<std::size_t> Occupancy::points(Cycle cycles) const {
+  std::vector<std::size_t> points;
+  std::int64_t tokens = present_;
+  for (std::size_t k = 0; k < most_points && k * stride() < cycles; ++k) {
+    if (k < changes_.size()) tokens += changes_[k];
+    points.push_back(static_cast<std::size_t>(tokens));
+  }
+  return points;
+}
+
+}  // namespace pyrasim::hw

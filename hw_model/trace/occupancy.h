@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hw_model/fifo.h"
+
+namespace pyrasim::hw {
+
+/// How full a FIFO was over time, at a bounded number of dates: whenever there are too many, every other one is
+/// dropped. A token counts from the cycle of its write to that of its read, both included.
+class Occupancy final : public FifoObserver {
+ public:
+  static constexpr std::size_t most_points = 256;
+
+  explicit Occupancy(FifoBase& fifo);
+  ~Occupancy() override;
+  Occupancy(const Occupancy&) = delete;
+  Occupancy& operator=(const Occupancy&) = delete;
+
+  /// Cycles between two points; a power of two.
+  Cycle stride() const { return Cycle{1} << shift_; }
+  /// Tokens at the cycles 0, stride, 2 stride ... below `cycles`.
+  std::vector<std::size_t> points(Cycle cycles) const;
+
+  void written(Cycle at) override { ++change_from(at); }
+  void read(Cycle at) override { --change_from(at + 1); }
+
+ private:
+  std::int64_t& change_from(Cycle at);
+
+  FifoBase& fifo_;
+  std::int64_t present_;  ///< tokens before the frame began
+  int shift_ = 0;
+  std::vector<std::int64_t> changes_;  ///< [k]: written less read after point k - 1, up to point k
+};
+
+}  // namespace pyrasim::hw
