@@ -21,6 +21,9 @@ struct StageTiming {
   friend bool operator==(const StageTiming&, const StageTiming&) = default;
 };
 
+/// How the view-vector generator chooses the intersection unit that gets the next ray.
+enum class Dispatch : std::uint8_t { round_robin, first_free };
+
 /// What a ray costs an intersection unit, in cycles: the unit is occupied for the sum over the ray's work.
 struct IntersectionCost {
   Cycle ray = 1;  ///< for every ray
@@ -50,6 +53,8 @@ struct MachineSpec {
   StageTiming pixel_scan;
   StageTiming view_vector_generator{.latency = 4};
   std::size_t intersection_units = 4;
+  Dispatch dispatch = Dispatch::round_robin;
+  std::size_t reorder_buffer = 32;  ///< unit numbers of rays under way, under `first_free`
   Cycle intersection_latency = 8;  ///< from the end of a ray's occupancy to its result being visible
   IntersectionCost intersection_cost;
   StageTiming pyramid_classifier{.latency = 2};
