@@ -55,7 +55,7 @@ struct MachineSpec {
   std::size_t intersection_units = 4;
   Dispatch dispatch = Dispatch::round_robin;
   std::size_t reorder_buffer = 32;  ///< unit numbers of rays under way, under `first_free`
-  Cycle intersection_latency = 8;  ///< from the end of a ray's occupancy to its result being visible
+  Cycle intersection_latency = 8;   ///< from the end of a ray's occupancy to its result being visible
   IntersectionCost intersection_cost;
   StageTiming pyramid_classifier{.latency = 2};
   StageTiming subdivision_controller{.latency = 2};

@@ -3,6 +3,7 @@
 // of the cycle, whether it fires; what it reads and writes is only noted in the FIFOs. Then all FIFOs take that over.
 #include "cycle_loop.h"
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>

@@ -2,6 +2,7 @@
 // The Processor's Timeline, and where two of them part.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <string>
 
