@@ -58,7 +58,7 @@ struct MachineSpec {
   std::size_t intersection_units = 4;
   Dispatch dispatch = Dispatch::round_robin;
   std::size_t reorder_buffer = 32;  ///< rays under way between generator and classifier under first_free
-  Cycle intersection_latency = 8;   ///< from the end of a ray's occupancy to its result being visible
+  Cycle intersection_latency = 8;   ///< a result can be read from the end of its ray's occupancy on, plus this - 1
   IntersectionCost intersection_cost;
   StageTiming pyramid_classifier{.latency = 2};
   std::size_t corner_row = 65'537;  ///< corner samples that the classifier can hold: a row and one more

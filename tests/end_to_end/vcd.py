@@ -63,7 +63,7 @@ class Trace(tool.EndToEnd):
             cycles = dict.fromkeys(STATES, 0)
             for value, length in vcd.spans(unit["name"]):
                 cycles[STATES[value]] += length
-            self.assertEqual({"name": unit["name"], **cycles}, unit)
+            self.assertEqual({"name": unit["name"], **cycles, "waits": unit["waits"]}, unit)
         for fifo in document["fifos"]:
             spans = vcd.spans(fifo["name"])
             where = (fifo["name"], arguments)

@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: Apache-2.0
+// Written from docs/machine.md alone. A cycle has two phases. First every box decides, from the state at the beginning
+// of the cycle, whether it fires; what it reads and writes is only noted in the FIFOs. Then all FIFOs take that over.
+#include "cycle_loop.h"
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "hw_model/message.h"
+#include "pyramid/classifier.h"
+
+namespace pyrasim::hw {
+namespace {
+
+struct AnyFifo {
+  FifoDates dates;
+  virtual ~AnyFifo() = default;
+  virtual bool empty() const = 0;
+  virtual void take_effect() = 0;
+};
+
+template <class Token>
+class Fifo final : public AnyFifo {
+ public:
+  Fifo(std::size_t depth, Cycle latency) : depth_(depth), latency_(latency) {}
+
+  // What a box sees: the state at the beginning of the cycle.
+  bool readable(Cycle now) const { return !cells_.empty() && cells_.front().readable_from <= now; }
+  bool has_room() const { return cells_.size() < depth_; }
+  const Token& head() const { return cells_.front().token; }
+
+  // What a box does: noted, until all boxes have decided.
+  Token read(Cycle now) {
+    dates.reads.push_back(now);
+    is_read_ = true;
+    return head();
+  }
+  void write(Cycle now, const Token& token, Cycle delay = 0) {
+    dates.writes.push_back(now);
+    written_ = Cell{token, now + latency_ + delay};
+  }
+  void preload(const Token& token) { cells_.push_back({token, 0}); }
+
+  bool empty() const override { return cells_.empty(); }
+  void take_effect() override {
+    if (is_read_) cells_.pop_front();
+    if (written_) cells_.push_back(*written_);
+    is_read_ = false;
+    written_.reset();
+  }
+
+ private:
+  struct Cell {
+    Token token;
+    Cycle readable_from;
+  };
+  std::size_t depth_;
+  Cycle latency_;
+  std::deque<Cell> cells_;
+  bool is_read_ = false;
+  std::optional<Cell> written_;
+};
+
+/// The FIFOs between the boxes, and what all boxes know of the frame. What a frame does not need is here too, but stays
+/// unused and is not in the Timeline.
+struct Board {
+  MachineSpec spec;
+  Screen screen;
+  int max_level;
+  std::unique_ptr<Datapath> datapath;
+  bool has_controller;
+  bool has_reorder_buffer = spec.dispatch == Dispatch::first_free && spec.intersection_units > 1;
+
+  Fifo<CornerRequest> corners{spec.fifos.pixel_scan_to_view_vector_generator, spec.pixel_scan.latency};
+  std::vector<Fifo<RayMessage>> rays{
+      spec.intersection_units,
+      {spec.fifos.view_vector_generator_to_intersection_unit, spec.view_vector_generator.latency}};
+  std::vector<Fifo<SampleMessage>> samples{
+      spec.intersection_units, {spec.fifos.intersection_unit_to_pyramid_classifier, spec.intersection_latency}};
+  Fifo<std::size_t> order{spec.reorder_buffer, spec.view_vector_generator.latency};  ///< the reorder buffer
+  Fifo<NodeMessage> nodes{spec.fifos.pyramid_classifier_to_subdivision_controller, spec.pyramid_classifier.latency};
+  Fifo<SubdivisionRequest> requests{spec.fifos.subdivision_controller_to_view_vector_generator,
+                                    spec.subdivision_controller.latency};
+  Fifo<NodeMessage> parents{spec.fifos.subdivision_controller_to_pyramid_classifier,
+                            spec.subdivision_controller.latency};
+  Fifo<TerminalMessage> terminals{spec.fifos.pyramid_classifier_to_tree_accumulator, spec.pyramid_classifier.latency};
+  Fifo<PixelMessage> pixels{spec.fifos.tree_accumulator_to_frame_buffer, spec.tree_accumulator.latency};
+  Fifo<SlotCredit> slots{spec.pixels_in_flight, spec.tree_accumulator.latency};
+};
+
+struct Box {
+  explicit Box(Board& its_board) : board(its_board) {}
+  virtual ~Box() = default;
+  /// Fires if it can. Returns the cycles that it is busy for: 0 where it does not fire.
+  virtual Cycle fire(Cycle now) = 0;
+
+  Board& board;
+  Cycle busy_until = 0;
+};
+
+struct PixelScan final : Box {
+  using Box::Box;
+  int row = 0, column = 0;
+
+  Cycle fire(Cycle now) override {
+    const Screen& screen = board.screen;
+    const bool completes_pixel = row > 0 && column > 0;
+    if (row > screen.rows || !board.corners.has_room()) return 0;
+    if (completes_pixel && !board.slots.readable(now)) return 0;
+    CornerRequest corner{
+        {static_cast<std::uint32_t>(row) << board.max_level, static_cast<std::uint32_t>(column) << board.max_level},
+        {}};
+    if (completes_pixel) {
+      const int pixel = (row - 1) * screen.columns + column - 1;
+      corner.tag = {static_cast<std::uint32_t>(pixel), board.slots.read(now).slot};
+    }
+    board.corners.write(now, corner);
+    if (++column > screen.columns) {
+      column = 0;
+      ++row;
+    }
+    return board.spec.pixel_scan.interval;
+  }
+};
+
+struct ViewVectorGenerator final : Box {
+  using Box::Box;
+  Pyramid family{};       ///< of the request under way
+  std::size_t point = 0;  ///< its next; 0: no request is under way
+  std::size_t turn = 0;   ///< the unit after the one that got the last ray
+
+  Cycle fire(Cycle now) override {
+    const bool of_request = point > 0 || board.requests.readable(now);
+    if (!of_request && !board.corners.readable(now)) return 0;
+    const std::optional<std::size_t> unit = free_unit();
+    if (!unit) return 0;
+    board.rays[*unit].write(now, of_request ? request_ray(now) : corner_ray(now));
+    if (board.has_reorder_buffer) board.order.write(now, *unit);
+    turn = (*unit + 1) % board.rays.size();
+    return board.spec.view_vector_generator.interval;
+  }
+
+  std::optional<std::size_t> free_unit() const {
+    if (board.has_reorder_buffer && !board.order.has_room()) return {};
+    const std::size_t candidates = board.has_reorder_buffer ? board.rays.size() : 1;
+    for (std::size_t k = 0; k < candidates; ++k) {
+      const std::size_t unit = (turn + k) % board.rays.size();
+      if (board.rays[unit].has_room()) return unit;
+    }
+    return {};
+  }
+
+  RayMessage request_ray(Cycle now) {
+    if (point == 0) family = board.requests.read(now).pyramid;
+    const GridPoint at = subdivision_point(family, point, board.max_level);
+    point = (point + 1) % subdivision_rays;
+    return {board.datapath->view_vector(at), {}, true};
+  }
+
+  RayMessage corner_ray(Cycle now) {
+    const CornerRequest corner = board.corners.read(now);
+    return {board.datapath->view_vector(corner.point), corner.tag, false};
+  }
+};
+
+struct IntersectionUnit final : Box {
+  IntersectionUnit(Board& its_board, std::size_t its_number) : Box(its_board), number(its_number) {}
+  std::size_t number;
+
+  Cycle fire(Cycle now) override {
+    if (!board.rays[number].readable(now) || !board.samples[number].has_room()) return 0;
+    const RayMessage ray = board.rays[number].read(now);
+    Work work;
+    const Sample sample = board.datapath->trace(ray.view_vector, work);
+    const IntersectionCost& cost = board.spec.intersection_cost;
+    Cycle busy = cost.ray + cost.box_test * work.box_tests;
+    for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+      busy += cost.surface_test[kind] * work.surface_tests[kind];
+    }
+    board.samples[number].write(now, {sample, ray.tag, ray.subdivision}, busy - 1);
+    return busy;
+  }
+};
+
+struct PyramidClassifier final : Box {
+  using Box::Box;
+  std::size_t turn = 0;     ///< the unit of the next sample, where there is no reorder buffer
+  std::deque<Sample> row;   ///< the last N_z + 2 corners
+  NodeMessage parent{};     ///< of the family under way
+  std::size_t arrived = 0;  ///< of its samples; 0: no family is under way
+  SubdivisionSamples middle{};
+
+  Cycle fire(Cycle now) override {
+    const bool fired = arrived == subdivision_rays ? last_subpixel(now) : next_sample(now);
+    return fired ? board.spec.pyramid_classifier.interval : 0;
+  }
+
+  bool last_subpixel(Cycle now) {
+    if (!classify_subpixel(now, 3)) return false;
+    arrived = 0;
+    return true;
+  }
+
+  bool next_sample(Cycle now) {
+    if (board.has_reorder_buffer && !board.order.readable(now)) return false;
+    Fifo<SampleMessage>& samples = board.samples[board.has_reorder_buffer ? board.order.head() : turn];
+    if (!samples.readable(now)) return false;
+    const SampleMessage& message = samples.head();
+    if (!(message.subdivision ? family_sample(now, message.sample) : corner_sample(now, message))) return false;
+    samples.read(now);
+    if (board.has_reorder_buffer) board.order.read(now);
+    turn = (turn + 1) % board.samples.size();
+    return true;
+  }
+
+  bool corner_sample(Cycle now, const SampleMessage& message) {
+    if (message.tag.pixel != no_pixel) {
+      const auto columns = static_cast<std::uint32_t>(board.screen.columns);
+      const GridPoint corner{message.tag.pixel / columns << board.max_level,
+                             message.tag.pixel % columns << board.max_level};
+      const CornerSamples corners{row[0], row[1], row.back(), message.sample};
+      if (!classify_node(now, {{corner, 0}, message.tag, corners})) return false;
+    }
+    row.push_back(message.sample);
+    if (row.size() > static_cast<std::size_t>(board.screen.columns) + 2) row.pop_front();
+    return true;
+  }
+
+  bool family_sample(Cycle now, const Sample& sample) {
+    if (arrived == 0) {
+      if (!board.parents.readable(now)) return false;
+      parent = board.parents.read(now);
+    }
+    middle[arrived] = sample;
+    if (arrived >= 2 && !classify_subpixel(now, arrived - 2)) return false;
+    ++arrived;
+    return true;
+  }
+
+  bool classify_subpixel(Cycle now, std::size_t child) {
+    const Pyramid pyramid = subpixel(parent.pyramid, child, board.max_level);
+    const bool closes_family = child == 3 && pyramid.level < static_cast<std::uint32_t>(board.max_level);
+    const CornerSamples corners = subpixel_corners(parent.corners, middle, child);
+    return classify_node(now, {pyramid, parent.tag, corners, false, closes_family});
+  }
+
+  bool classify_node(Cycle now, NodeMessage node) {
+    node.subdivide = subdivides(classify(node.corners), node.pyramid.level, board.max_level);
+    const bool to_controller = node.subdivide || node.closes_family;
+    if (to_controller && !board.nodes.has_room()) return false;
+    if (!node.subdivide && !board.terminals.has_room()) return false;
+    if (to_controller) board.nodes.write(now, node);
+    if (!node.subdivide) board.terminals.write(now, {{}, node.tag, node.pyramid.level});
+    return true;
+  }
+};
+
+struct SubdivisionController final : Box {
+  using Box::Box;
+  std::vector<NodeMessage> subpixels;  ///< in the pool; the newest at the back
+  std::deque<NodeMessage> pixels;      ///< the oldest at the front
+  std::size_t reserved = 0;            ///< entries of the pool
+  std::size_t of_family = 0;           ///< reserved for the family that comes back now, and not taken yet
+
+  Cycle fire(Cycle now) override {
+    if (board.nodes.readable(now)) {
+      accept(board.nodes.read(now));
+    } else if (can_issue()) {
+      issue(now);
+    } else {
+      return 0;
+    }
+    return board.spec.subdivision_controller.interval;
+  }
+
+  void accept(const NodeMessage& node) {
+    if (node.pyramid.level == 0) {
+      pixels.push_back(node);
+      return;
+    }
+    if (of_family == 0) of_family = 4;  // families come back one after the other, each to its close
+    if (node.subdivide) {
+      subpixels.push_back(node);
+      --reserved;
+      --of_family;
+    }
+    if (node.closes_family) {
+      reserved -= of_family;
+      of_family = 0;
+    }
+  }
+
+  const NodeMessage& next() const { return subpixels.empty() ? pixels.front() : subpixels.back(); }
+
+  /// Levels below the node's subpixels that can hold nodes to split; -1: its subpixels cannot be split.
+  int levels_below(const NodeMessage& node) const { return board.max_level - 2 - static_cast<int>(node.pyramid.level); }
+
+  bool can_issue() const {
+    if (subpixels.empty() && pixels.empty()) return false;
+    if (!board.requests.has_room() || !board.parents.has_room()) return false;
+    const int below = levels_below(next());
+    if (below < 0) return true;  // it reserves nothing
+    const std::size_t tree = 3 * (static_cast<std::size_t>(below) + 1) + (subpixels.empty() ? 1 : 0);
+    return subpixels.size() + reserved + tree <= board.spec.subdivision_pool;
+  }
+
+  void issue(Cycle now) {
+    const NodeMessage node = next();
+    board.requests.write(now, {node.pyramid});
+    board.parents.write(now, node);
+    if (levels_below(node) >= 0) reserved += 4;
+    if (subpixels.empty()) {
+      pixels.pop_front();
+    } else {
+      subpixels.pop_back();
+    }
+  }
+};
+
+struct TreeAccumulator final : Box {
+  using Box::Box;
+  std::map<std::uint32_t, std::uint64_t> area;  ///< summed so far, by slot, in units of 4^-MAX_LEVEL of the pixel
+
+  Cycle fire(Cycle now) override {
+    if (!board.terminals.readable(now)) return 0;
+    const TerminalMessage& node = board.terminals.head();
+    const std::uint64_t sum = area[node.tag.slot] + (1ULL << 2 * (board.max_level - static_cast<int>(node.level)));
+    const bool complete = sum == 1ULL << 2 * board.max_level;
+    if (complete && !(board.pixels.has_room() && board.slots.has_room())) return 0;
+    area[node.tag.slot] = complete ? 0 : sum;
+    if (complete) {
+      board.pixels.write(now, {node.tag.pixel, {}});
+      board.slots.write(now, {node.tag.slot});
+    }
+    board.terminals.read(now);
+    return board.spec.tree_accumulator.interval;
+  }
+};
+
+struct FrameBuffer final : Box {
+  using Box::Box;
+  int missing = board.screen.rows * board.screen.columns;  ///< pixels not stored yet
+
+  Cycle fire(Cycle now) override {
+    if (!board.pixels.readable(now)) return 0;
+    board.pixels.read(now);
+    --missing;
+    return board.spec.frame_buffer.interval;
+  }
+};
+
+/// The FIFOs that the machine has, by name.
+std::map<std::string, AnyFifo*> built_fifos(Board& board) {
+  std::map<std::string, AnyFifo*> fifos{{"pixel_scan_to_view_vector_generator", &board.corners},
+                                        {"pyramid_classifier_to_tree_accumulator", &board.terminals},
+                                        {"tree_accumulator_to_frame_buffer", &board.pixels},
+                                        {"tree_accumulator_to_pixel_scan", &board.slots}};
+  for (std::size_t k = 0; k < board.rays.size(); ++k) {
+    const std::string unit = "intersection_unit_" + std::to_string(k);
+    fifos["view_vector_generator_to_" + unit] = &board.rays[k];
+    fifos[unit + "_to_pyramid_classifier"] = &board.samples[k];
+  }
+  if (board.has_reorder_buffer) fifos["view_vector_generator_to_pyramid_classifier"] = &board.order;
+  if (board.has_controller) {
+    fifos["pyramid_classifier_to_subdivision_controller"] = &board.nodes;
+    fifos["subdivision_controller_to_view_vector_generator"] = &board.requests;
+    fifos["subdivision_controller_to_pyramid_classifier"] = &board.parents;
+  }
+  return fifos;
+}
+
+bool at_rest(const Board& board, const std::map<std::string, AnyFifo*>& fifos) {
+  for (const auto& [name, fifo] : fifos) {
+    if (fifo != &board.slots && !fifo->empty()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_level, ScalarFormat scalar) {
+  constexpr Cycle patience = 1'000'000;  // more than any firing takes
+  Board board{spec, scene.camera.screen, max_level, make_datapath(scene, std::int64_t{1} << max_level, scalar),
+              max_level > 0 && !scene.objects.empty()};
+  for (std::uint32_t slot = 0; slot < spec.pixels_in_flight; ++slot) board.slots.preload({slot});
+  PixelScan scan(board);
+  ViewVectorGenerator generator(board);
+  PyramidClassifier classifier(board);
+  SubdivisionController controller(board);
+  TreeAccumulator accumulator(board);
+  FrameBuffer frame_buffer(board);
+  std::deque<IntersectionUnit> units;
+  for (std::size_t k = 0; k < spec.intersection_units; ++k) units.emplace_back(board, k);
+  std::vector<Box*> boxes{&scan, &generator, &classifier, &controller, &accumulator, &frame_buffer};
+  for (IntersectionUnit& unit : units) boxes.push_back(&unit);
+  const std::map<std::string, AnyFifo*> fifos = built_fifos(board);
+
+  Timeline timeline;
+  for (Cycle now = 0; frame_buffer.missing > 0 || !at_rest(board, fifos); ++now) {
+    for (Box* box : boxes) {
+      if (now < box->busy_until) continue;
+      if (const Cycle busy = box->fire(now); busy > 0) box->busy_until = now + busy;
+      timeline.cycles = std::max(timeline.cycles, box->busy_until);
+    }
+    for (const auto& [name, fifo] : fifos) fifo->take_effect();
+    if (now > timeline.cycles + patience) throw std::logic_error("the cycle loop stands still");
+  }
+  for (const auto& [name, fifo] : fifos) timeline.fifos[name] = fifo->dates;
+  return timeline;
+}
+
+}  // namespace pyrasim::hw
