@@ -151,7 +151,6 @@ class std::numeric_limits<pyrasim::Flt<E, P>> {
   static constexpr Number epsilon() { return Number(pyrasim::power_of_two(1 - P)); }
   static constexpr Number denorm_min() { return Number::from_exact(Rounding::spacing); }
   static constexpr Number infinity() { return Number::from_exact(std::numeric_limits<double>::infinity()); }
-  static constexpr Number quiet_NaN() {
-    return Number::from_exact(std::numeric_limits<double>::quiet_NaN());
-  }  // NOLINT(readability-identifier-naming): std
+  // NOLINTNEXTLINE(readability-identifier-naming): std
+  static constexpr Number quiet_NaN() { return Number::from_exact(std::numeric_limits<double>::quiet_NaN()); }
 };
