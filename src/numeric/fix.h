@@ -76,7 +76,7 @@ class Fix {
   constexpr Fix& operator/=(Fix b) { return *this = *this / b; }
 
   friend constexpr bool operator==(Fix, Fix) = default;
-  friend constexpr std::strong_ordering operator<=>(Fix, Fix) = default;
+  friend constexpr std::strong_ordering operator<=>(Fix a, Fix b) { return a.raw_ <=> b.raw_; }
 
   friend constexpr Fix abs(Fix x) { return x.raw_ < 0 ? -x : x; }
   friend constexpr Fix copysign(Fix size, Fix sign) { return (size.raw_ < 0) == (sign.raw_ < 0) ? size : -size; }
