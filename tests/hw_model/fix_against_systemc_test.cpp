@@ -2,9 +2,10 @@
 // Fix against the definition it follows: SystemC's sc_fixed, in all rounding and overflow modes.
 //
 // sc_fixed computes sums and products exactly and quantises them when they are assigned. A quotient it first cuts to 64
-// significant bits (SC_DEFAULT_DIV_WL_). With operands of less than 32 bits that does no harm: an inexact quotient keeps
-// a distance of 2^-63 of itself from every tie and every value of the format. Wider formats are compared here where the
-// quotient is exact; numeric/fix_test.cpp has exact fractions as the oracle of all quotients and square roots.
+// significant bits (SC_DEFAULT_DIV_WL_). With operands of less than 32 bits that does no harm: an inexact quotient
+// keeps a distance of 2^-63 of itself from every tie and every value of the format. Wider formats are compared here
+// where the quotient is exact; numeric/fix_test.cpp has exact fractions as the oracle of all quotients and square
+// roots.
 #define SC_INCLUDE_FX
 #include <gtest/gtest.h>
 
