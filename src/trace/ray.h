@@ -21,14 +21,20 @@ struct ViewRay {
       : direction(v),
         inverse(finite_inverse(v.x), finite_inverse(v.y), finite_inverse(v.z)),
         inverse_length_squared(Scalar(1) / dot(v, v)),
-        backward{std::signbit(v.x), std::signbit(v.y), std::signbit(v.z)} {}
+        backward{is_negative(v.x), is_negative(v.y), is_negative(v.z)} {}
 
  private:
   /// A zero component counts as a tiny one. Then 0 times the inverse is 0, not NaN, a box that contains the origin's
   /// coordinate (its faces included) is crossed for all t, and any other box is missed.
   static Scalar finite_inverse(Scalar component) {
-    constexpr auto tiny = static_cast<Scalar>(1e-30);
-    return Scalar(1) / (std::abs(component) < tiny ? std::copysign(tiny, component) : component);
+    using std::abs, std::copysign;  // or those of the number format
+    constexpr auto tiny = tiny_component<Scalar>();
+    return Scalar(1) / (abs(component) < tiny ? copysign(tiny, component) : component);
+  }
+
+  static bool is_negative(Scalar component) {
+    using std::signbit;
+    return signbit(component);
   }
 };
 

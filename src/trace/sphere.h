@@ -25,7 +25,8 @@ Scalar intersect_sphere(const SphereSurface<Scalar>& sphere, const Vector<Scalar
                                      sphere.center.z - t_closest * direction.z};
   const Scalar discriminant = sphere.radius_squared - dot(perpendicular, perpendicular);
   if (!(discriminant >= Scalar(0))) return Scalar(0);
-  const Scalar half_chord = std::sqrt(discriminant * inverse_length_squared);
+  using std::sqrt;  // or that of the number format
+  const Scalar half_chord = sqrt(discriminant * inverse_length_squared);
   const Scalar t_outer = along < Scalar(0) ? t_closest - half_chord : t_closest + half_chord;  // the larger |t|
   if (t_outer == Scalar(0)) return Scalar(0);
   const Scalar t_inner = sphere.power * inverse_length_squared / t_outer;  // product of roots = power / length^2

@@ -19,9 +19,10 @@ struct TriangleShear {
   Scalar sx, sy, sz;
 
   explicit TriangleShear(const Vector<Scalar>& direction) {
-    const Scalar x = std::abs(direction.x);
-    const Scalar y = std::abs(direction.y);
-    const Scalar z = std::abs(direction.z);
+    using std::abs;  // or that of the number format
+    const Scalar x = abs(direction.x);
+    const Scalar y = abs(direction.y);
+    const Scalar z = abs(direction.z);
     kz = x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
     kx = kz == 2 ? 0 : kz + 1;
     ky = kx == 2 ? 0 : kx + 1;

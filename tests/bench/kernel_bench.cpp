@@ -2,6 +2,11 @@
 // The renderer's kernels, in Google Benchmark: cost per ray on the shipped scenes, and what a frame takes.
 #include <benchmark/benchmark.h>
 
+#include <array>
+#include <random>
+
+#include "numeric/fix.h"
+#include "numeric/flt.h"
 #include "render/pyramid_renderer.h"
 #include "scene/load_scene.h"
 
@@ -49,6 +54,66 @@ void prepare(benchmark::State& state, const char* name) {
   for (auto _ : state) benchmark::DoNotOptimize(prepare_scene<double>(scene).root);
 }
 
+constexpr std::size_t operands = 1024;
+
+template <class Number>
+std::array<Number, operands> random_operands(unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> values(-1, 1);
+  std::array<Number, operands> numbers;
+  for (Number& number : numbers) number = static_cast<Number>(values(random));
+  return numbers;
+}
+
+/// The number format's price: a * b + c for operands that do not wait for each other, and ns for each.
+template <class Number>
+void multiply_add(benchmark::State& state) {
+  const auto a = random_operands<Number>(1);
+  const auto b = random_operands<Number>(2);
+  const auto c = random_operands<Number>(3);
+  std::array<Number, operands> results;
+  for (auto _ : state) {
+    for (std::size_t k = 0; k < operands; ++k) results[k] = a[k] * b[k] + c[k];
+    benchmark::DoNotOptimize(results.data());
+    benchmark::ClobberMemory();
+  }
+  state.counters["each"] = benchmark::Counter(static_cast<double>(state.iterations()) * operands,
+                                              benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+/// The same where each waits for the one before.
+template <class Number>
+void multiply_add_chain(benchmark::State& state) {
+  const auto a = random_operands<Number>(1);
+  const auto b = random_operands<Number>(2);
+  Number x = a[0];
+  for (auto _ : state) {
+    for (std::size_t k = 0; k < operands; ++k) x = x * a[k] + b[k];
+    benchmark::DoNotOptimize(x);
+  }
+  state.counters["each"] = benchmark::Counter(static_cast<double>(state.iterations()) * operands,
+                                              benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+using Truncating = Fix<48, 20, Rounding::SC_TRN, Overflow::SC_WRAP>;
+
+BENCHMARK(multiply_add<double>);
+BENCHMARK(multiply_add<float>);
+BENCHMARK(multiply_add<Fp16>);
+BENCHMARK(multiply_add<Bf16>);
+BENCHMARK(multiply_add<Tf32>);
+BENCHMARK(multiply_add<Fp24>);
+BENCHMARK(multiply_add<Flt<8, 24>>);
+BENCHMARK(multiply_add<Flt<8, 25>>);
+BENCHMARK(multiply_add<Fix<64, 12>>);
+BENCHMARK(multiply_add<Fix<64, 28>>);
+BENCHMARK(multiply_add<Fix<64, 32>>);
+BENCHMARK(multiply_add<Fix<48, 20>>);
+BENCHMARK(multiply_add<Fix<32, 16>>);
+BENCHMARK(multiply_add<Truncating>);
+BENCHMARK(multiply_add_chain<double>);
+BENCHMARK(multiply_add_chain<Fp24>);
+BENCHMARK(multiply_add_chain<Fix<64, 28>>);
 BENCHMARK_CAPTURE(trace_double, keel, "keel");
 BENCHMARK_CAPTURE(trace_double, spheres, "spheres");
 BENCHMARK_CAPTURE(trace_double, fins, "fins");

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernels in every number format: what they ask of a scalar is there, and wide formats agree with double.
+#include "numeric/scalar.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "numeric/number_types.h"
+#include "trace/plane.h"
+#include "trace/ray.h"
+#include "trace/slab_test.h"
+#include "trace/sphere.h"
+#include "trace/triangle.h"
+#include "trace/view_vector.h"
+
+namespace pyrasim {
+namespace {
+
+/// What a format of P significand or F fraction bits may lose in a few operations on numbers of about 1 to 10.
+template <class Scalar>
+double tolerance() {
+  return std::ldexp(static_cast<double>(epsilon<Scalar>()), 6);
+}
+
+template <class Scalar>
+Vector<Scalar> vector(double x, double y, double z) {
+  return to_scalar<Scalar>({x, y, z});
+}
+
+template <class Scalar>
+void expect_vectors_work() {
+  const auto v = vector<Scalar>(1, 2, -3) * Scalar(2) - vector<Scalar>(1, 1, 1) + Vector<Scalar>(0, 0, 1);
+  EXPECT_EQ(v, vector<Scalar>(1, 3, -6));
+  EXPECT_EQ(-v, vector<Scalar>(-1, -3, 6));
+  EXPECT_EQ(static_cast<double>(dot(v, v)), 46);
+  EXPECT_EQ(glm::dvec3(cross(v, vector<Scalar>(1, 0, 0))), glm::dvec3(0, -6, -3));
+}
+
+template <class Scalar>
+void expect_hits() {
+  const SurfaceIdentity identity{0, 0};
+  const auto direction = vector<Scalar>(1, 0, 0);
+  const ViewRay<Scalar> ray(direction);
+  const SphereSurface<Scalar> sphere{vector<Scalar>(4, 0.5, 0), Scalar(1), Scalar(15.25), Scalar(1), identity};
+  const Scalar t = intersect_sphere(sphere, direction, ray.inverse_length_squared);
+  EXPECT_NEAR(static_cast<double>(t), 4 - std::sqrt(0.75), tolerance<Scalar>());
+  const PlaneSurface<Scalar> plane{Scalar(-3), identity, {vector<Scalar>(-1, 0, 0), Scalar(1), Scalar(1)}};
+  EXPECT_EQ(intersect_plane(plane, direction), Scalar(3));
+  const std::array<std::array<Scalar, 3>, 3> vertices{
+      {{Scalar(2), Scalar(-1), Scalar(-1)}, {Scalar(2), Scalar(1), Scalar(-1)}, {Scalar(2), Scalar(0), Scalar(1)}}};
+  EXPECT_EQ(intersect_triangle({vertices, identity}, TriangleShear<Scalar>(direction)), Scalar(2));
+}
+
+/// A ray along an axis through a box about that axis, past one beside it, and away from one behind.
+template <class Scalar>
+void expect_boxes_are_told_apart() {
+  typename PreparedScene<Scalar>::Node node{};
+  const auto set = [&](std::size_t box, std::array<double, 6> bounds) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      node.bounds[axis][0][box] = Scalar(bounds[axis]);
+      node.bounds[axis][1][box] = Scalar(bounds[axis + 3]);
+    }
+  };
+  set(0, {2, -1, -1, 3, 1, 1});
+  set(1, {2, 0.5, -1, 3, 1, 1});
+  set(2, {-3, -1, -1, -2, 1, 1});
+  set(3, {2, 0, 0, 3, 1, 1});  // the ray runs along an edge
+  const ViewRay<Scalar> ray(vector<Scalar>(1, 0, 0));
+  const SlabHits<Scalar> hits = SlabTest<Scalar>(ray)(node, std::numeric_limits<Scalar>::infinity());
+  EXPECT_EQ(hits.mask, 0b1001U);
+  EXPECT_EQ(hits.entry[0], Scalar(2));
+}
+
+TEST(Scalar, EveryFormatServesTheKernels) {
+  for (const NumberFormat& format : number_formats()) {
+    SCOPED_TRACE(format.name());
+    with_number_type(format, []<class Scalar>(std::type_identity<Scalar>) {
+      expect_vectors_work<Scalar>();
+      expect_hits<Scalar>();
+      expect_boxes_are_told_apart<Scalar>();
+    });
+  }
+}
+
+TEST(Scalar, ViewVectorsComeFromIntegerGridPoints) {
+  const Screen screen{.columns = 4, .rows = 2, .dx = 1, .dy = 0.25, .dz = 0.25};
+  const ViewVectors<Fix<64, 20>> vectors(screen, 8);
+  EXPECT_EQ(glm::dvec3(vectors({0, 0})), glm::dvec3(1, 0.25, -0.5));
+  EXPECT_EQ(glm::dvec3(vectors({16, 31})), glm::dvec3(1, -0.25, 0.46875));
+}
+
+TEST(Scalar, TheInverseOfATinyComponentIsFiniteAndLarge) {
+  EXPECT_EQ(tiny_component<double>(), 1e-30);
+  EXPECT_EQ(tiny_component<float>(), 1e-30F);
+  for (const NumberFormat& format : number_formats()) {
+    with_number_type(format, [&]<class Scalar>(std::type_identity<Scalar>) {
+      const Scalar inverse = Scalar(1) / tiny_component<Scalar>();
+      EXPECT_GT(inverse, Scalar(100)) << format.name();
+      EXPECT_LT(inverse, std::numeric_limits<Scalar>::infinity()) << format.name();
+    });
+  }
+}
+
+TEST(Scalar, FunctionsOfTheFormatsAreFoundByTheirArguments) {
+  EXPECT_EQ(abs(Fp24(-2)), Fp24(2));
+  EXPECT_EQ(copysign(Fp24(2), Fp24(-0.0)), Fp24(-2));
+  EXPECT_TRUE(signbit(Fp24(-0.0)) && isfinite(Fp24(1)) && isnan(std::numeric_limits<Fp24>::quiet_NaN()));
+  EXPECT_EQ(std::max(Fp24(1), Fp24(2)), Fp24(2));
+  using Number = Fix<32, 16>;
+  EXPECT_EQ(abs(Number(-2)), Number(2));
+  EXPECT_EQ(copysign(Number(2), Number(-1)), Number(-2));
+  EXPECT_TRUE(signbit(Number(-1)) && isfinite(Number(1)) && !isnan(Number(1)));
+  EXPECT_EQ(std::min(Number(1), Number(2)), Number(1));
+}
+
+TEST(ArithmeticEvents, EachThreadCountsItsOwnAndCountsAddUp) {
+  arithmetic_events = {};
+  ArithmeticEvents other;
+  std::thread([&other] {
+    EXPECT_EQ(Fp16(60000) + Fp16(60000), std::numeric_limits<Fp16>::infinity());
+    EXPECT_EQ(static_cast<double>(Fp16(0x1p-20) * Fp16(0x1p-20)), 0);
+    other = arithmetic_events;
+  }).join();
+  EXPECT_EQ(arithmetic_events, ArithmeticEvents());
+  EXPECT_EQ(other, (ArithmeticEvents{.saturations = 1, .underflows = 1, .inexact = 2}));
+  ArithmeticEvents sum{1, 2, 3, 4, 5};
+  sum += other;
+  EXPECT_EQ(sum, (ArithmeticEvents{2, 3, 5, 4, 5}));
+}
+
+TEST(ArithmeticEvents, EachEventOfAnOperationIsCounted) {
+  const auto events_of = [](auto action) {
+    arithmetic_events = {};
+    action();
+    return arithmetic_events;
+  };
+  const Fp24 one(1);
+  const Fp24 zero(0);
+  EXPECT_EQ(events_of([&] { return one + one; }), ArithmeticEvents());
+  EXPECT_EQ(events_of([&] { return one / Fp24(3); }), (ArithmeticEvents{.inexact = 1}));
+  EXPECT_EQ(events_of([&] { return one / zero; }), (ArithmeticEvents{.divisions_by_zero = 1}));
+  EXPECT_EQ(events_of([&] { return zero / zero; }), (ArithmeticEvents{.divisions_by_zero = 1}));
+  EXPECT_EQ(events_of([&] { return sqrt(-one); }), (ArithmeticEvents{.invalid = 1}));
+  EXPECT_EQ(events_of([&] { return one + Fp24(0x1p-40); }), (ArithmeticEvents{.inexact = 1}));
+  using Number = Fix<16, 8>;
+  EXPECT_EQ(events_of([] { return Number(100) + Number(100); }), (ArithmeticEvents{.saturations = 1, .inexact = 1}));
+  EXPECT_EQ(events_of([] { return Number::from_raw(1) * Number::from_raw(1); }),
+            (ArithmeticEvents{.underflows = 1, .inexact = 1}));
+  EXPECT_EQ(events_of([] { return sqrt(Number(-1)); }), (ArithmeticEvents{.invalid = 1}));
+}
+
+}  // namespace
+}  // namespace pyrasim
