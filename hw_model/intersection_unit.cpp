@@ -14,7 +14,7 @@ Start IntersectionUnit::next() {
 void IntersectionUnit::fire(Cycle now) {
   const RayMessage& ray = view_vector_generator->front();
   Work work;
-  const Sample sample = datapath_.trace(ray.view_vector, work);
+  const Sample sample = trace(ray, work);
   work_ += work;
   const Cycle occupied = occupancy(work);
   pyramid_classifier->write_made(
@@ -24,6 +24,11 @@ void IntersectionUnit::fire(Cycle now) {
       now, occupied - 1 + latency_);
   view_vector_generator->pop(now);
   occupy(now, occupied);
+}
+
+Sample IntersectionUnit::trace(const RayMessage& ray, Work& work) const {
+  if (corners_ahead_ != nullptr && !ray.subdivision) return corners_ahead_->trace(ray.point, ray.view_vector, work);
+  return datapath_.trace(ray.view_vector, work);
 }
 
 Cycle IntersectionUnit::occupancy(const Work& work) const {

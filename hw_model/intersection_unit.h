@@ -4,6 +4,7 @@
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
 #include "hw_model/stage.h"
+#include "trace/corners_ahead.h"
 #include "trace/datapath.h"
 
 namespace pyrasim::hw {
@@ -21,13 +22,17 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   Start next() override;
   void fire(Cycle now) override;
   const Work& work() const { return work_; }
+  /// Takes corners that the host has traced before their time from there; none: traces all itself.
+  void take_corners(CornersAhead* corners_ahead) { corners_ahead_ = corners_ahead; }
 
  private:
-  Cycle occupancy(const Work& before) const;
+  Sample trace(const RayMessage& ray, Work& work) const;
+  Cycle occupancy(const Work& work) const;
 
   Cycle latency_;
   IntersectionCost cost_;
   const Datapath& datapath_;
+  CornersAhead* corners_ahead_ = nullptr;
   Work work_;
 };
 

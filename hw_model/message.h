@@ -38,6 +38,7 @@ struct SubdivisionRequest {
 
 struct RayMessage {
   glm::dvec3 view_vector;
+  GridPoint point;   ///< its address: what tells rays apart
   PixelTag tag;      ///< meaningful for corners
   bool subdivision;  ///< false: a corner of the raster
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace pyrasim::hw {
 namespace {
@@ -20,6 +21,7 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
     : sc_module(name),
       max_cycles_(options.max_cycles),
       spec_(checked(spec, scene, options)),
+      screen_(scene.camera.screen),
       datapath_(make_datapath(scene, std::int64_t{1} << options.max_level, options.scalar)),
       contents_(datapath_->contents()),
       pixel_scan_("pixel_scan", spec.pixel_scan, scene.camera.screen, options.max_level),
@@ -49,11 +51,21 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
   for (const auto& unit : intersection_units_) boxes.units.push_back(unit.get());
   engine_ = std::make_unique<DecoupledEngine>(stages_, std::move(boxes), spec);
   sc_core::sc_spawn(
-      [this, period] {
-        engine_->run(max_cycles_);
+      [this, period, threads = options.threads] {
+        run_decoupled(threads);
         sc_core::wait(static_cast<double>(cycles()) * period);  // the kernel's clock shows the frame's end
       },
       "decoupled");
+}
+
+void Processor::run_decoupled(int threads) {
+  std::optional<CornersAhead> corners;
+  if (threads > 1) {
+    corners.emplace(*datapath_, screen_, std::uint32_t{1} << pyramid_classifier_.max_level(),
+                    intersection_units_.size() * spec_.fifos.view_vector_generator_to_intersection_unit);
+  }
+  for (const auto& unit : intersection_units_) unit->take_corners(corners ? &*corners : nullptr);
+  engine_->run(max_cycles_);
 }
 
 template <class Message, class Writer, class Reader, class Out, class In>

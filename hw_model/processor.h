@@ -30,6 +30,7 @@ struct SimulationOptions {
   Engine engine = Engine::decoupled;
   ScalarFormat scalar = ScalarFormat::double_precision;
   Cycle max_cycles = never;   ///< the machine stops once it cannot end within so many
+  int threads = 1;            ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
   bool check_machine = true;  ///< refuse a machine that cannot hold the frame; off only to see it deadlock
   Progress progress;
 };
@@ -83,9 +84,11 @@ class Processor final : public sc_core::sc_module {
   void bind(Engine engine);
   void bind_controller();
   void list_omitted();
+  void run_decoupled(int threads);
 
   Cycle max_cycles_;
   MachineSpec spec_;
+  Screen screen_;
   std::unique_ptr<Datapath> datapath_;
   SceneContents contents_;
   PixelScan pixel_scan_;

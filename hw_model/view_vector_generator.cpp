@@ -85,7 +85,7 @@ void ViewVectorGenerator::issue(GridPoint point, std::uint32_t level, const Pixe
   }
   intersection_units[unit_]->write_made(
       [&] {
-        return RayMessage{datapath_.view_vector(point), tag, level > 0};
+        return RayMessage{datapath_.view_vector(point), point, tag, level > 0};
       },
       now, timing_.latency);
   if (++unit_ == intersection_units.size()) unit_ = 0;

@@ -19,6 +19,7 @@ struct SimulateCommand {
   ImageOutput image;
   MachineOptions machine;
   hw::Engine engine = hw::Engine::decoupled;
+  int threads = 0;
   std::string stats;
   std::string trace;
 
@@ -31,6 +32,7 @@ struct SimulateCommand {
     options.engine = engine;
     options.scalar = frame.scalar;
     options.max_cycles = machine.max_cycles;
+    options.threads = thread_count(threads);
     options.progress = progress_bar("simulating");
     check_addressable(scene.camera.screen, options.max_level);
     PictureOutput picture(image);
@@ -68,6 +70,11 @@ void add_simulate_command(CLI::App& app, Action& action) {
   add_choice(*command, "--engine", options->engine,
              {{"decoupled", hw::Engine::decoupled}, {"lockstep", hw::Engine::lockstep}},
              "decoupled is fast; lockstep is plain SystemC, with the same cycles");
+  command
+      ->add_option("--threads", options->threads,
+                   "0: one for each core; a second one traces ahead; results do not depend on it")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
   command->add_option("--stats", options->stats, "statistics as JSON; - for stdout")->type_name("FILE|-");
   command->add_option("--trace", options->trace, "states of units and fill of FIFOs over time")->type_name("FILE.vcd");
   command->callback([&action, options] { action = [options] { options->run(); }; });

@@ -157,12 +157,12 @@ struct ViewVectorGenerator final : Box {
     if (point == 0) family = board.requests.read(now).pyramid;
     const GridPoint at = subdivision_point(family, point, board.max_level);
     point = (point + 1) % subdivision_rays;
-    return {board.datapath->view_vector(at), {}, true};
+    return {board.datapath->view_vector(at), at, {}, true};
   }
 
   RayMessage corner_ray(Cycle now) {
     const CornerRequest corner = board.corners.read(now);
-    return {board.datapath->view_vector(corner.point), corner.tag, false};
+    return {board.datapath->view_vector(corner.point), corner.point, corner.tag, false};
   }
 };
 

@@ -99,5 +99,32 @@ TEST(Engines, AgreeWhereAStageIsBusyAfterTheLastPixel) {
   expect_engines_agree(specs, 2);
 }
 
+/// A second thread of the host traces ahead, and changes nothing.
+TEST(Engines, DoNotDependOnTheHostsThreads) {
+  Simulation simulation;
+  std::vector<std::pair<Processor*, Processor*>> pairs;
+  for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 40}, {40, 1}, {32, 24}}) {
+    for (const int max_level : {0, 3}) {
+      const Scene scene = random_scene(12, {20, 20, 0}, columns, rows);
+      for (const std::size_t units : {1, 16}) {
+        MachineSpec spec = with_all_fifos({}, 64);
+        spec.intersection_units = units;
+        spec.dispatch = max_level == 0 ? Dispatch::round_robin : Dispatch::first_free;
+        SimulationOptions options;
+        options.max_level = max_level;
+        Processor& one = simulation.add(scene, spec, options);
+        options.threads = 2;
+        pairs.emplace_back(&one, &simulation.add(scene, spec, options));
+      }
+    }
+  }
+  simulation.run();
+  for (const auto& [one, two] : pairs) {
+    expect_same_time(*one, *two);
+    EXPECT_TRUE(one->image().pixels() == two->image().pixels());
+    EXPECT_EQ(one->statistics().work, two->statistics().work);
+  }
+}
+
 }  // namespace
 }  // namespace pyrasim::hw

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/corners_ahead.h"
+
+#include <algorithm>
+
+namespace pyrasim {
+namespace {
+
+/// The thread keeps ahead by as many corners, and by as many rows at least.
+constexpr std::int64_t corners_ahead = 4096;
+constexpr std::int64_t least_rows_ahead = 4;
+
+}  // namespace
+
+CornersAhead::CornersAhead(const Datapath& datapath, const Screen& screen, std::uint32_t steps,
+                           std::size_t out_of_order)
+    : datapath_(datapath),
+      steps_(steps),
+      rows_(screen.rows + 1),
+      overlap_(static_cast<std::int64_t>(out_of_order) / (screen.columns + 1) + 1),
+      kept_(static_cast<std::size_t>(overlap_ + std::max(corners_ahead / (screen.columns + 1), least_rows_ahead))) {
+  for (Row& row : kept_) row.corners.resize(static_cast<std::size_t>(screen.columns) + 1);
+  thread_ = std::jthread([this] { run(); });
+}
+
+CornersAhead::~CornersAhead() {
+  newest_ = rows_ + overlap_;
+  newest_.notify_one();
+}
+
+std::int64_t CornersAhead::first_barred() const { return newest_ - overlap_ + static_cast<std::int64_t>(kept_.size()); }
+
+void CornersAhead::run() {
+  for (std::int64_t row = 0; row < rows_; ++row) {
+    std::int64_t newest = newest_;
+    while (row >= first_barred()) {
+      newest_.wait(newest);
+      newest = newest_;
+    }
+    row = std::max(row, newest + 1);  // earlier ones are being traced by who asked
+    if (row < rows_) trace_row(row);
+  }
+}
+
+void CornersAhead::trace_row(std::int64_t number) {
+  Row& row = kept_[static_cast<std::size_t>(number) % kept_.size()];
+  row.number = -1;
+  GridPoint point{static_cast<std::uint32_t>(number) * steps_, 0};
+  for (Corner& corner : row.corners) {
+    Work work;
+    const Sample sample = datapath_.trace(datapath_.view_vector(point), work);
+    corner = {sample.shading, sample.object, static_cast<std::uint32_t>(work.box_tests), {}};
+    for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+      corner.surface_tests[kind] = static_cast<std::uint32_t>(work.surface_tests[kind]);
+    }
+    point.column += steps_;
+  }
+  row.number = number;
+}
+
+Sample CornersAhead::trace(GridPoint point, const glm::dvec3& view_vector, Work& work) {
+  const std::int64_t number = point.row / steps_;
+  if (number > newest_.load(std::memory_order_relaxed)) {
+    newest_ = number;
+    newest_.notify_one();
+  }
+  const Row& row = kept_[static_cast<std::size_t>(number) % kept_.size()];
+  if (row.number.load(std::memory_order_acquire) != number) return datapath_.trace(view_vector, work);
+  const Corner& corner = row.corners[point.column / steps_];
+  work.box_tests += corner.box_tests;
+  for (std::size_t kind = 0; kind < surface_kinds; ++kind) work.surface_tests[kind] += corner.surface_tests[kind];
+  return {corner.object, corner.shading};
+}
+
+}  // namespace pyrasim
