@@ -14,7 +14,7 @@ Start IntersectionUnit::next() {
 void IntersectionUnit::fire(Cycle now) {
   const RayMessage& ray = view_vector_generator->front();
   Work work;
-  const Sample sample = trace(ray, work);
+  const Sample sample = nearest_hit(ray, work);
   work_ += work;
   const Cycle occupied = occupancy(work);
   pyramid_classifier->write_made(
@@ -26,7 +26,7 @@ void IntersectionUnit::fire(Cycle now) {
   occupy(now, occupied);
 }
 
-Sample IntersectionUnit::trace(const RayMessage& ray, Work& work) const {
+Sample IntersectionUnit::nearest_hit(const RayMessage& ray, Work& work) const {
   if (corners_ahead_ != nullptr && !ray.subdivision) return corners_ahead_->trace(ray.point, ray.view_vector, work);
   return datapath_.trace(ray.view_vector, work);
 }

@@ -26,7 +26,7 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   void take_corners(CornersAhead* corners_ahead) { corners_ahead_ = corners_ahead; }
 
  private:
-  Sample trace(const RayMessage& ray, Work& work) const;
+  Sample nearest_hit(const RayMessage& ray, Work& work) const;
   Cycle occupancy(const Work& work) const;
 
   Cycle latency_;
