@@ -43,24 +43,58 @@ def against_povray(folder, rounds):
     print(f"| pyrasim `render --threads 1`, double | {mine / 1e6:.2f} | {mine / theirs:.2f} |\n")
 
 
+def bench(folder, scene, rounds, size="640x480", settings=()):
+    run = subprocess.run([f"{folder}/simulation_bench", f"scenes/{scene}.json", "3", str(rounds), size, *settings],
+                         capture_output=True, text=True, check=True)
+    return json.loads(run.stdout)
+
+
 def simulations(folder, rounds):
-    print("| scene | units | render, ns a ray | 2 threads | simulate | timing | in sc_fifo transfers | "
-          "simulate / render | lockstep / simulate |\n|---|---|---|---|---|---|---|---|---|")
+    print("| scene | units | render, ns a ray | 2 threads | simulate | timing | in sc_fifo transfers | simulate / render "
+          "| lockstep / simulate | cycle loop / simulate | simulate, 2 threads | timing in transfers | simulate / render "
+          "|\n" + "|---" * 13 + "|")
     for scene in SCENES:
         for units in UNITS:
-            run = subprocess.run([f"{folder}/simulation_bench", f"scenes/{scene}.json", "3", str(rounds),
-                                  f"intersection.units={units}"], capture_output=True, text=True, check=True)
-            row = json.loads(run.stdout)
-            timing = row["decoupled"] - row["render"]
-            print(f"| {scene} | {units} | {row['render']:.0f} | {row['render'] / row['render_two_threads']:.2f}x | "
-                  f"{row['decoupled']:.0f} | {timing:.0f} | {timing / row['sc_fifo_transfer']:.2f} | "
-                  f"{row['decoupled'] / row['render']:.2f} | {row['lockstep'] / row['decoupled']:.1f} |", flush=True)
+            row = bench(folder, scene, rounds, settings=[f"intersection.units={units}"])
+            render, transfer, one, two = (row[key] for key in ("render", "sc_fifo_transfer", "decoupled",
+                                                               "decoupled_two_threads"))
+            print(f"| {scene} | {units} | {render:.0f} | {render / row['render_two_threads']:.2f}x | {one:.0f} | "
+                  f"{one - render:.0f} | {(one - render) / transfer:.2f} | {one / render:.2f} | "
+                  f"{row['lockstep'] / one:.1f} | {row['cycle_loop'] / one:.1f} | {two:.0f} | "
+                  f"{(two - render) / transfer:.2f} | {two / render:.2f} |", flush=True)
+    print(f"\nOne timed sc_fifo transfer between two SC_THREADs: {transfer:.0f} ns in the last row.\n")
+
+
+def scaling(folder, rounds):
+    """Cost must grow with the rays alone: not with the frame's size, nor with cycles in which nothing happens."""
+    slow = ["intersection.latency=16", *(f"intersection.cost.{name}={cycles}" for name, cycles in
+                                         [("ray", 2), ("box_test", 2), ("sphere", 4), ("plane", 2), ("triangle", 6)])]
+    print("| simulate, 4 units, one thread | 480x270, ns a ray | 1920x1080 | ratio | units half as fast, 640x480 | cycles "
+          "| host time |\n" + "|---" * 7 + "|")
+    for scene in SCENES:
+        small, large = (bench(folder, scene, rounds, size)["decoupled"] for size in ("480x270", "1920x1080"))
+        usual, slower = bench(folder, scene, rounds), bench(folder, scene, rounds, settings=slow)
+        print(f"| {scene} | {small:.0f} | {large:.0f} | {large / small:.2f} | {slower['decoupled']:.0f} | "
+              f"{slower['cycles'] / usual['cycles']:.2f}x | {slower['decoupled'] / usual['decoupled']:.2f}x |",
+              flush=True)
+
+
+def memory(folder):
+    program = os.path.join(folder, "..", "..", "pyrasim")
+    print("\n| simulate at 1920x1080, MAX_LEVEL 3 | most memory, MB |\n|---|---|")
+    for scene in SCENES:
+        process = subprocess.Popen([program, "simulate", f"scenes/{scene}.json", "--size", "1920x1080"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        usage = os.wait4(process.pid, 0)[2]
+        print(f"| {scene} | {usage.ru_maxrss / 1024:.0f} |", flush=True)
 
 
 def main():
     folder, rounds = sys.argv[1], int(sys.argv[2])
     against_povray(folder, rounds)
     simulations(folder, rounds)
+    scaling(folder, rounds)
+    memory(folder)
 
 
 main()

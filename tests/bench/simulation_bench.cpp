@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renderer, simulator and plain SystemC in one run, taken in turns so that all see the same machine:
-//     simulation_bench SCENE MAX_LEVEL ROUNDS [machine settings]
+//     simulation_bench SCENE MAX_LEVEL ROUNDS COLUMNSxROWS [machine settings]
 // Prints one line of JSON; times are the fastest of the rounds, in nanoseconds.
 #include <fmt/format.h>
 
@@ -66,8 +66,12 @@ struct Times {
 
 void keep_fastest(double& best, double seconds) { best = std::min(best, seconds); }
 
-int run(const std::string& file, int max_level, int rounds, const std::vector<std::string>& settings) {
-  const Scene scene = load_scene(file);
+int run(const std::string& file, int max_level, int rounds, const std::string& size,
+        const std::vector<std::string>& settings) {
+  Scene scene = load_scene(file);
+  const std::size_t cross = size.find('x');
+  scene.camera.screen =
+      resized(scene.camera.screen, std::stoi(size.substr(0, cross)), std::stoi(size.substr(cross + 1)));
   const hw::MachineSpec spec = hw::load_machine(std::nullopt, settings);
   const SceneTracer<double> tracer(scene);
   Times times;
@@ -131,11 +135,11 @@ int run(const std::string& file, int max_level, int rounds, const std::vector<st
 }  // namespace
 
 int sc_main(int argc, char** argv) {
-  if (argc < 4) {
-    std::cerr << "usage: simulation_bench SCENE MAX_LEVEL ROUNDS [PATH=VALUE]...\n";
+  if (argc < 5) {
+    std::cerr << "usage: simulation_bench SCENE MAX_LEVEL ROUNDS COLUMNSxROWS [PATH=VALUE]...\n";
     return 2;
   }
-  return run(argv[1], std::atoi(argv[2]), std::atoi(argv[3]), {argv + 4, argv + argc});
+  return run(argv[1], std::atoi(argv[2]), std::atoi(argv[3]), argv[4], {argv + 5, argv + argc});
 }
 
 int main(int argc, char** argv) {
