@@ -24,4 +24,6 @@ void FrameBuffer::fire(Cycle now) {
   occupy(now, timing_.interval);
 }
 
+template class StageOf<FrameBuffer>;
+
 }  // namespace pyrasim::hw

@@ -30,4 +30,6 @@ class FrameBuffer final : public StageOf<FrameBuffer> {
   std::size_t next_progress_;  ///< pixels
 };
 
+extern template class StageOf<FrameBuffer>;
+
 }  // namespace pyrasim::hw

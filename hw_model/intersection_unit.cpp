@@ -39,4 +39,6 @@ Cycle IntersectionUnit::occupancy(const Work& work) const {
   return cycles;
 }
 
+template class StageOf<IntersectionUnit>;
+
 }  // namespace pyrasim::hw

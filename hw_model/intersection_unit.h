@@ -36,4 +36,6 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   Work work_;
 };
 
+extern template class StageOf<IntersectionUnit>;
+
 }  // namespace pyrasim::hw

@@ -28,4 +28,6 @@ void PixelScan::fire(Cycle now) {
   occupy(now, timing_.interval);
 }
 
+template class StageOf<PixelScan>;
+
 }  // namespace pyrasim::hw

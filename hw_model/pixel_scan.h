@@ -31,4 +31,6 @@ class PixelScan final : public StageOf<PixelScan> {
   std::uint32_t column_ = 0;
 };
 
+extern template class StageOf<PixelScan>;
+
 }  // namespace pyrasim::hw

@@ -130,4 +130,6 @@ void PyramidClassifier::emit(Cycle now) {
       now, timing_.latency);
 }
 
+template class StageOf<PyramidClassifier>;
+
 }  // namespace pyrasim::hw

@@ -70,4 +70,6 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   FrameStatistics counts_;
 };
 
+extern template class StageOf<PyramidClassifier>;
+
 }  // namespace pyrasim::hw

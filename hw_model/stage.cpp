@@ -11,10 +11,10 @@ void Stage::woken() {
   }
 }
 
-void Stage::observe_wait(const Start& start) {
+void Stage::observe_wait(Cycle until, bool starved) {
   StageObserver::State state = StageObserver::State::idle;
-  if (statistics_.firings > 0) state = start.starved() ? StageObserver::State::starved : StageObserver::State::blocked;
-  observer_->span(state, ready_, start.at());
+  if (statistics_.firings > 0) state = starved ? StageObserver::State::starved : StageObserver::State::blocked;
+  observer_->span(state, ready_, until);
 }
 
 StageStatistics Stage::statistics(Cycle cycles) const {

@@ -117,7 +117,7 @@ class Stage : public sc_core::sc_module, public FifoEnd {
       statistics_.blocked += waited;
       start.cause()->count_blocked(waited);
     }
-    if (observer_ != nullptr) observe_wait(start);
+    if (observer_ != nullptr) observe_wait(start.at(), start.starved());
   }
 
  protected:
@@ -132,7 +132,7 @@ class Stage : public sc_core::sc_module, public FifoEnd {
 
  private:
   void woken() final;
-  void observe_wait(const Start& start);
+  void observe_wait(Cycle until, bool starved);
   void lockstep(Cycle last);
 
   Cycle ready_ = 0;
@@ -156,11 +156,12 @@ class WorkList {
   std::vector<Stage*> stages_;  ///< in the order in which they were woken
 };
 
-/// Gives a stage its drain(), with next() and fire() inlined. A firing can wake the stage itself; so it sleeps first.
+/// Gives a stage its drain(), with next() and fire() inlined: hence instantiated where these are defined, and there
+/// only. A firing can wake the stage itself; so it sleeps first.
 template <class Derived>
 class StageOf : public Stage {
  public:
-  [[gnu::flatten]] void drain() override {
+  [[gnu::flatten, gnu::noinline]] void drain() override {
     auto& self = static_cast<Derived&>(*this);
     sleep();
     for (Start start = self.Derived::next(); start.known(); start = self.Derived::next()) {

@@ -44,4 +44,6 @@ void TreeAccumulator::finish(const PixelTag& tag, std::uint32_t deepest, const g
   pixel_scan->write({tag.slot}, now, timing_.latency);
 }
 
+template class StageOf<TreeAccumulator>;
+
 }  // namespace pyrasim::hw

@@ -44,4 +44,6 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
   LatencyByLevel latencies_;
 };
 
+extern template class StageOf<TreeAccumulator>;
+
 }  // namespace pyrasim::hw

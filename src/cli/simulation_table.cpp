@@ -59,7 +59,7 @@ std::string latency_line(const hw::Processor& processor) {
 
 std::string bottleneck_lines(const hw::Processor& processor) {
   const hw::LowerBound bound = hw::lower_bound(processor);
-  return fmt::format("lower bound   {:>12}   cycles, the work of the {}; the machine is at {:.1f} % of it\n",
+  return fmt::format("lower bound   {:>12}   cycles, the work of the {}: {:.1f} % of what the frame took\n",
                      grouped(bound.cycles), bound.unit,
                      100 * static_cast<double>(bound.cycles) / static_cast<double>(processor.cycles())) +
          fmt::format("bottleneck    {}\n", hw::bottleneck_text(hw::bottleneck_chain(processor)));
