@@ -6,8 +6,8 @@
 
 namespace pyrasim::hw {
 
-DecoupledEngine::DecoupledEngine(const std::vector<Stage*>& stages, Boxes boxes, const MachineSpec& spec)
-    : stages_(stages),
+DecoupledEngine::DecoupledEngine(std::vector<Stage*> stages, Boxes boxes, const MachineSpec& spec)
+    : stages_(std::move(stages)),
       boxes_(std::move(boxes)),
       generator_latency_(spec.view_vector_generator.latency),
       unit_latency_(spec.intersection_cost.ray - 1 + spec.intersection_latency),

@@ -32,7 +32,7 @@ class DecoupledEngine {
     TreeAccumulator& accumulator;
   };
 
-  DecoupledEngine(const std::vector<Stage*>& stages, Boxes boxes, const MachineSpec& spec);
+  DecoupledEngine(std::vector<Stage*> stages, Boxes boxes, const MachineSpec& spec);
 
   /// Runs until no stage can fire, or the two that choose could only fire after `last`.
   void run(Cycle last);

@@ -148,7 +148,7 @@ class WorkList {
   void add(Stage& stage) { stages_.push_back(&stage); }
   /// Lets stages fire until none that is awake has a known next firing.
   void run() {
-    for (std::size_t k = 0; k < stages_.size(); ++k) stages_[k]->drain();
+    for (std::size_t next = 0; next < stages_.size();) stages_[next++]->drain();  // more may come
     stages_.clear();
   }
 

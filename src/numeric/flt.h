@@ -112,7 +112,7 @@ class Flt {
       return from_exact(Edge::add(a, b));
     const double rounded = Rounding::round_normal(sum);
     // The difference to the larger operand is exact, so it equals the other one only if the sum is.
-    arithmetic_events.inexact += (rounded - a == b) & (rounded - b == a) ? 0 : 1;
+    arithmetic_events.inexact += ((rounded - a == b) & (rounded - b == a)) ? 0 : 1;
     return from_exact(rounded);
   }
 
