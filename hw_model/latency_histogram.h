@@ -57,7 +57,7 @@ class LatencyHistogram {
 
  private:
   static constexpr int fine_bits = 4;
-  static constexpr std::size_t classes = std::size_t{64 - fine_bits} << fine_bits;
+  static constexpr std::size_t classes = std::size_t{64 - fine_bits + 1} << fine_bits;
 
   /// The leading bit and the `fine_bits` below it.
   static std::size_t class_of(Cycle latency) {

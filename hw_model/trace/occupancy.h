@@ -21,7 +21,9 @@ class Occupancy final : public FifoObserver {
 
   /// Cycles between two points; a power of two.
   Cycle stride() const { return Cycle{1} << shift_; }
-  /// Tokens at the cycles 0, stride, 2 stride ... below `cycles`.
+  /// Makes the points reach to the end of a frame of `cycles`, however early the last token was read.
+  void end_frame(Cycle cycles);
+  /// Tokens at the cycles 0, stride, 2 stride ... below `cycles`, of which end_frame() has been told.
   std::vector<std::size_t> points(Cycle cycles) const;
 
   void written(Cycle at) override { ++change_from(at); }
@@ -29,6 +31,7 @@ class Occupancy final : public FifoObserver {
 
  private:
   std::int64_t& change_from(Cycle at);
+  void drop_every_other();
 
   FifoBase& fifo_;
   std::int64_t present_;  ///< tokens before the frame began

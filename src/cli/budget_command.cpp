@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/between.h"
 #include "cli/command.h"
 #include "cli/machine_options.h"
 #include "cli/simulate_apart.h"
@@ -17,7 +18,9 @@
 namespace pyrasim::cli {
 namespace {
 
+// What a machine file may say.
 constexpr std::size_t most_units = 256;
+constexpr double most_mhz = 1e6;
 
 /// A frame on a machine, as asked for or with one change.
 struct Frame {
@@ -98,7 +101,7 @@ Change change_units(const Frame& frame) {
 Change change_clock(const Frame& frame, hw::Cycle cycles) {
   const double least = static_cast<double>(cycles) * frame.spec.goal_fps / 1e6;
   Frame varied = frame;
-  varied.spec.clock_mhz = std::ceil(least);
+  varied.spec.clock_mhz = std::min(std::ceil(least), most_mhz);
   Change change{"clock_mhz", fmt::format("{}", frame.spec.clock_mhz), fmt::format("{}", varied.spec.clock_mhz),
                 varied.simulate(varied.spec.budget())};
   if (change.cycles) change.fps = varied.fps(*change.cycles);
@@ -209,7 +212,7 @@ void add_budget_command(CLI::App& app, Action& action) {
   options->machine.add(*command);
   command->add_option("--fps", options->fps, "frames per second to reach; the machine's goal without it")
       ->type_name("F")
-      ->check(CLI::Range(0.001, 1e6));
+      ->check(between(0.001, 1e6));
   command->add_option("--stats", options->stats, "the result as JSON; - for stdout")->type_name("FILE|-");
   command->callback([&action, options] { action = [options] { options->run(); }; });
 }

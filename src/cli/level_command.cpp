@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <memory>
 
+#include "cli/between.h"
 #include "cli/command.h"
 #include "error.h"
 #include "pyramid/max_level.h"
@@ -43,17 +43,6 @@ struct LevelCommand {
     return pixel_size == 0 ? std::ldexp(1.0, -10) : pixel_angle(pixel_size, distance);
   }
 };
-
-/// Like CLI::Range, but NaN is outside too, and the limits show as they are.
-CLI::Validator between(double least, double most) {
-  const auto check = [=](const std::string& text) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool fits = error == std::errc() && end == text.data() + text.size() && number >= least && number <= most;
-    return fits ? std::string() : fmt::format("{}: a number from {} to {} is allowed", text, least, most);
-  };
-  return {check, ""};
-}
 
 }  // namespace
 

@@ -50,6 +50,7 @@ struct SimulateCommand {
     }
     sc_core::sc_start();
     hw::require_finished(processor);
+    for (const auto& occupancy : occupancies) occupancy->end_frame(processor.cycles());
     picture.write(processor.image());
     if (vcd) vcd->write(recorder->text());
     if (statistics) statistics->write(text_of(simulation_document(frame.scene, options, processor, occupancies)));

@@ -17,19 +17,6 @@ namespace {
 
 using Dates = std::vector<Cycle>;
 
-/// One unit, all latencies and intervals 1, and every ray takes the unit one cycle.
-MachineSpec quick_machine() {
-  MachineSpec spec;
-  spec.view_vector_generator.latency = 1;
-  spec.intersection_units = 1;
-  spec.intersection_latency = 1;
-  spec.intersection_cost = {1, 0, {0, 0, 0}};
-  spec.pyramid_classifier.latency = 1;
-  spec.subdivision_controller.latency = 1;
-  spec.tree_accumulator.latency = 1;
-  return spec;
-}
-
 /// The default latencies, two units, and rays of 3 cycles. The four corners leave the scan at 0 to 3 and reach the
 /// generator (latency 4) at 1 to 4. Unit 0 starts the first at 1 + 4, the third when it is free again at 8; a sample
 /// can be read 3 + 8 - 1 after its ray's start: unit 0's at 15 and 18, unit 1's at 16 and 19. The fourth completes

@@ -33,6 +33,19 @@ class Simulation {
   std::vector<std::unique_ptr<Processor>> machines_;
 };
 
+/// One unit, all latencies and intervals 1, and every ray takes the unit one cycle.
+inline MachineSpec quick_machine() {
+  MachineSpec spec;
+  spec.view_vector_generator.latency = 1;
+  spec.intersection_units = 1;
+  spec.intersection_latency = 1;
+  spec.intersection_cost = {1, 0, {0, 0, 0}};
+  spec.pyramid_classifier.latency = 1;
+  spec.subdivision_controller.latency = 1;
+  spec.tree_accumulator.latency = 1;
+  return spec;
+}
+
 inline MachineSpec with_all_fifos(MachineSpec spec, std::size_t depth) {
   spec.fifos = {depth, depth, depth, depth, depth, depth, depth, depth};
   return spec;
