@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -84,6 +85,8 @@ TEST(BottleneckChain, EndsAtTheStageThatIsSlow) {
     SCOPED_TRACE(bottleneck_text(chain));
     EXPECT_EQ(chain.front().unit, "tree_accumulator");
     EXPECT_EQ(chain.back().unit, cases[k].first);
+    const auto is_slow = [&](const BottleneckLink& link) { return link.unit == cases[k].first; };
+    EXPECT_EQ(std::count_if(chain.begin(), chain.end(), is_slow), 1) << "the chain ends here, it does not close";
     EXPECT_EQ(chain.back().waited, 0);
     EXPECT_EQ(lower_bound(*machines[k]).unit, cases[k].first);
     EXPECT_NE(bottleneck_text(chain).find(cases[k].first + " busy"), std::string::npos);
