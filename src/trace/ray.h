@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "numeric/scalar.h"
@@ -13,22 +11,14 @@ namespace pyrasim {
 template <class Scalar>
 struct ViewRay {
   Vector<Scalar> direction;
-  Vector<Scalar> inverse;                ///< 1 / direction, finite: see below
-  Scalar inverse_length_squared;         ///< 1 / direction . direction
-  std::array<std::uint8_t, 3> backward;  ///< per axis 1 where the inverse is negative
+  Scalar slope_y;  ///< y / x: the same all along the ray; meaningful where x > 0
+  Scalar slope_z;
+  Scalar inverse_length_squared;  ///< 1 / direction . direction
 
-  explicit ViewRay(const Vector<Scalar>& v)
-      : direction(v),
-        inverse(finite_inverse(v.x), finite_inverse(v.y), finite_inverse(v.z)),
-        inverse_length_squared(Scalar(1) / dot(v, v)),
-        backward{std::signbit(v.x), std::signbit(v.y), std::signbit(v.z)} {}
-
- private:
-  /// A zero component counts as a tiny one. Then 0 times the inverse is 0, not NaN, a box that contains the origin's
-  /// coordinate (its faces included) is crossed for all t, and any other box is missed.
-  static Scalar finite_inverse(Scalar component) {
-    constexpr auto tiny = static_cast<Scalar>(1e-30);
-    return Scalar(1) / (std::abs(component) < tiny ? std::copysign(tiny, component) : component);
+  explicit ViewRay(const Vector<Scalar>& v) : direction(v), inverse_length_squared(Scalar(1) / dot(v, v)) {
+    const Scalar inverse_x = Scalar(1) / v.x;
+    slope_y = v.y * inverse_x;
+    slope_z = v.z * inverse_x;
   }
 };
 
