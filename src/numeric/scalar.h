@@ -16,19 +16,6 @@ constexpr Scalar epsilon() {
   return std::numeric_limits<Scalar>::epsilon();
 }
 
-/// What stands for a component of 0 where its inverse is asked for: far below all others, yet with a finite inverse.
-/// 1e-30, or the smallest such value of a format that does not reach there.
-template <class Scalar>
-constexpr Scalar tiny_component() {
-  using Limits = std::numeric_limits<Scalar>;
-  constexpr auto tiny = static_cast<Scalar>(1e-30);
-  if constexpr (Limits::is_iec559) {
-    return tiny < Limits::min() ? Limits::min() : tiny;
-  } else {
-    return Scalar(1) / Limits::max() + Limits::denorm_min();
-  }
-}
-
 /// The scalar product, summed from x to z. (glm::dot refuses scalars that are not IEEE formats.)
 template <class Scalar>
 constexpr Scalar dot(const Vector<Scalar>& a, const Vector<Scalar>& b) {

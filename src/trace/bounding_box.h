@@ -27,23 +27,8 @@ struct BoundingBox {
     }
   }
   glm::dvec3 center() const { return lower * 0.5 + upper * 0.5; }
-  /// Half of the surface's area; 0 for an empty box.
-  double half_area() const {
-    if (!(lower.x <= upper.x)) return 0;
-    const glm::dvec3 size = upper - lower;
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-  }
-  /// Grows by `roundings` roundings of the largest coordinate in a format of relative spacing `spacing`. The tests of
-  /// boxes and surfaces err by a few roundings each; with the margin a ray that a surface counts as hit never misses
-  /// the box around it, so that results do not depend on the hierarchy.
-  void pad(double spacing, double roundings) {
-    double largest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      largest = std::max({largest, std::abs(lower[axis]), std::abs(upper[axis])});
-    }
-    lower -= glm::dvec3(largest * spacing * roundings);
-    upper += glm::dvec3(largest * spacing * roundings);
-  }
+  /// The area that a ray along x sees; 0 for an empty box.
+  double frontal_area() const { return lower.x <= upper.x ? (upper.y - lower.y) * (upper.z - lower.z) : 0; }
 };
 
 }  // namespace pyrasim

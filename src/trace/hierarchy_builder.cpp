@@ -81,7 +81,7 @@ class Builder {
         target.box.include(boxes_[reference]);
         ++target.count;
       }
-      sweep(bin, axis, box.half_area(), best);
+      sweep(bin, axis, box.frontal_area(), best);
     }
     return best;
   }
@@ -92,14 +92,14 @@ class Builder {
     for (int k = bins - 1; k > 0; --k) {
       right.box.include(bin[static_cast<std::size_t>(k)].box);
       right.count += bin[static_cast<std::size_t>(k)].count;
-      right_cost[static_cast<std::size_t>(k)] = right.count == 0 ? -1 : right.box.half_area() * right.count;
+      right_cost[static_cast<std::size_t>(k)] = right.count == 0 ? -1 : right.box.frontal_area() * right.count;
     }
     Bin left;
     for (int k = 1; k < bins; ++k) {
       left.box.include(bin[static_cast<std::size_t>(k - 1)].box);
       left.count += bin[static_cast<std::size_t>(k - 1)].count;
       if (left.count == 0 || right_cost[static_cast<std::size_t>(k)] < 0) continue;
-      const double sides = left.box.half_area() * left.count + right_cost[static_cast<std::size_t>(k)];
+      const double sides = left.box.frontal_area() * left.count + right_cost[static_cast<std::size_t>(k)];
       const double cost = node_cost + (area > 0 ? sides / area : 0);
       if (cost < best.cost) best = {cost, axis, k};
     }

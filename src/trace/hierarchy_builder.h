@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds a binary bounding volume hierarchy by the surface area heuristic over binned centroids (Wald 2007).
+// Builds a binary bounding volume hierarchy for rays that run along x, as view rays do in seen coordinates: by the
+// surface area heuristic over binned centroids (Wald 2007), with the area that such a ray sees of a box.
 #pragma once
 
 #include <cstdint>

@@ -1,41 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/prepared_scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "trace/hierarchy_builder.h"
 #include "trace/observer_frame.h"
+#include "trace/wide_hierarchy.h"
 
 namespace pyrasim {
 namespace {
-
-/// Roundings by which boxes are padded; see BoundingBox::pad.
-constexpr double box_roundings = 16;
-
-template <class Scalar>
-BoundingBox box_of(const SphereSurface<Scalar>& sphere) {
-  const glm::dvec3 radius(1 / static_cast<double>(sphere.inverse_radius));
-  const glm::dvec3 center(sphere.center);
-  BoundingBox box;
-  box.include(center - radius);
-  box.include(center + radius);
-  box.pad(static_cast<double>(epsilon<Scalar>()), box_roundings);
-  return box;
-}
-
-template <class Scalar>
-BoundingBox box_of(const TriangleSurface<Scalar>& triangle) {
-  BoundingBox box;
-  for (const auto& [x, y, z] : triangle.vertices) box.include(glm::dvec3(x, y, z));
-  box.pad(static_cast<double>(epsilon<Scalar>()), box_roundings);
-  return box;
-}
 
 /// Puts a scene's objects into a PreparedScene, in the order of the scene.
 template <class Scalar>
 class Preparation {
  public:
-  explicit Preparation(const Scene& scene) : frame_(scene.camera), light_(scene.light) {
+  explicit Preparation(const Scene& scene) : frame_(scene.camera), screen_(scene.camera.screen), light_(scene.light) {
     if (light_) {
       light_direction_ = normalized(frame_.direction(light_->direction));
       prepared_.lit = true;
@@ -49,7 +29,7 @@ class Preparation {
   }
 
   PreparedScene<Scalar> take() {
-    build();
+    build_wide_hierarchy(prepared_, screen_);
     return std::move(prepared_);
   }
 
@@ -105,86 +85,13 @@ class Preparation {
     return {to_scalar<Scalar>(normal), shading(cosine), shading(-cosine)};
   }
 
-  void build() {
-    std::vector<BoundingBox> boxes;
-    boxes.reserve(prepared_.spheres.size() + prepared_.triangles.size());
-    for (const auto& sphere : prepared_.spheres) boxes.push_back(box_of(sphere));
-    for (const auto& triangle : prepared_.triangles) boxes.push_back(box_of(triangle));
-    if (boxes.empty()) return;
-    spheres_.swap(prepared_.spheres);
-    triangles_.swap(prepared_.triangles);
-    shading_.swap(prepared_.triangle_shading);
-    hierarchy_ = build_hierarchy(boxes);
-    prepared_.root = convert(hierarchy_.nodes.front());
-  }
-
-  std::int32_t convert(const HierarchyNode& node) {
-    if (node.count > 0) return convert_leaf(node);
-    const std::size_t index = prepared_.nodes.size();
-    prepared_.nodes.emplace_back();
-    const std::vector<const HierarchyNode*> children = widened(node);
-    prepared_.nodes[index].children = static_cast<std::uint32_t>(children.size());
-    for (std::size_t k = 0; k < node_width; ++k) {
-      const BoundingBox box = k < children.size() ? children[k]->box : BoundingBox{};
-      for (int axis = 0; axis < 3; ++axis) {
-        auto& bounds = prepared_.nodes[index].bounds[static_cast<std::size_t>(axis)];
-        bounds[0][k] = static_cast<Scalar>(box.lower[axis]);
-        bounds[1][k] = static_cast<Scalar>(box.upper[axis]);
-      }
-      const std::int32_t reference = k < children.size() ? convert(*children[k]) : 0;
-      prepared_.nodes[index].child[k] = reference;
-    }
-    return static_cast<std::int32_t>(index);
-  }
-
-  /// The children of a wide node: those of the binary one, the largest inner one replaced by its own while there is
-  /// room.
-  std::vector<const HierarchyNode*> widened(const HierarchyNode& node) const {
-    const auto* const nodes = hierarchy_.nodes.data();
-    std::vector<const HierarchyNode*> children{nodes + node.first, nodes + node.first + 1};
-    while (children.size() < node_width) {
-      const HierarchyNode** largest = nullptr;
-      for (const HierarchyNode*& child : children) {
-        if (child->count > 0) continue;
-        if (largest == nullptr || child->box.half_area() > (*largest)->box.half_area()) largest = &child;
-      }
-      if (largest == nullptr) break;
-      const std::uint32_t first = (*largest)->first;
-      *largest = nodes + first;
-      children.push_back(nodes + first + 1);
-    }
-    return children;
-  }
-
-  /// Surfaces end up in the order of the leaves, each leaf's of one kind side by side.
-  std::int32_t convert_leaf(const HierarchyNode& node) {
-    typename PreparedScene<Scalar>::Leaf leaf{static_cast<std::uint32_t>(prepared_.spheres.size()), 0,
-                                              static_cast<std::uint32_t>(prepared_.triangles.size()), 0};
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      const std::uint32_t reference = hierarchy_.references[k];
-      if (reference < spheres_.size()) {
-        prepared_.spheres.push_back(spheres_[reference]);
-        ++leaf.spheres;
-      } else {
-        prepared_.triangles.push_back(triangles_[reference - spheres_.size()]);
-        prepared_.triangle_shading.push_back(shading_[reference - spheres_.size()]);
-        ++leaf.triangles;
-      }
-    }
-    prepared_.leaves.push_back(leaf);
-    return ~static_cast<std::int32_t>(prepared_.leaves.size() - 1);
-  }
-
   ObserverFrame frame_;
+  Screen screen_;
   std::optional<Light> light_;
   glm::dvec3 light_direction_{0, 0, 0};
   std::uint32_t object_ = 0;
   std::uint32_t order_ = 0;
   PreparedScene<Scalar> prepared_;
-  Hierarchy hierarchy_;
-  std::vector<SphereSurface<Scalar>> spheres_;  // in the order of the scene
-  std::vector<TriangleSurface<Scalar>> triangles_;
-  std::vector<FlatShading<Scalar>> shading_;
 };
 
 }  // namespace

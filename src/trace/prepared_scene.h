@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "scene/scene.h"
+#include "trace/bounding_box.h"
 #include "trace/surface.h"
 
 namespace pyrasim {
@@ -13,15 +15,31 @@ namespace pyrasim {
 /// Children of an inner node of the hierarchy at most.
 inline constexpr std::size_t node_width = 4;
 
+/// The boxes of a node's children side by side in seen coordinates (seen_bounds.h), so that one visit tests all. The
+/// boxes of children that it does not have are inside out and never met.
+template <class Scalar>
+struct SeenBoxes {
+  using Bound = std::array<Scalar, node_width>;
+  Bound depth;  ///< where the box begins
+  Bound lower_y, upper_y, lower_z, upper_z;
+
+  void set(std::size_t k, const BoundingBox& box) {
+    depth[k] = static_cast<Scalar>(box.lower.x);
+    lower_y[k] = static_cast<Scalar>(box.lower.y);
+    upper_y[k] = static_cast<Scalar>(box.upper.y);
+    lower_z[k] = static_cast<Scalar>(box.lower.z);
+    upper_z[k] = static_cast<Scalar>(box.upper.z);
+  }
+};
+
 /// A scene made ready for a datapath of one number format: in observer's coordinates, rounded once to `Scalar`, with a
 /// bounding volume hierarchy over its bounded surfaces. Planes have no bounds and stand apart.
 template <class Scalar>
 struct PreparedScene {
-  /// An inner node: the boxes of its two to four children side by side, so that one visit tests all. The boxes of
-  /// children that it does not have are inside out and never hit.
+  /// An inner node of two to four children, the nearest first.
   struct alignas(64) Node {
-    std::array<std::array<std::array<Scalar, node_width>, 2>, 3> bounds;  ///< [axis][0 lower, 1 upper][child]
-    std::array<std::int32_t, node_width> child;                           ///< index into nodes, or ~index into leaves
+    SeenBoxes<Scalar> boxes;
+    std::array<std::int32_t, node_width> child;  ///< index into nodes, or ~index into leaves
     std::uint32_t children;
   };
   struct Leaf {
@@ -30,7 +48,8 @@ struct PreparedScene {
 
   std::vector<Node> nodes;
   std::vector<Leaf> leaves;
-  std::int32_t root = 0;  ///< as Node::child; meaningful where there are leaves
+  std::int32_t root = 0;        ///< as Node::child
+  std::int32_t everything = 0;  ///< likewise, a leaf of all bounded surfaces: for rays that do not run forward
   std::vector<SphereSurface<Scalar>> spheres;
   std::vector<TriangleSurface<Scalar>> triangles;
   std::vector<FlatShading<Scalar>> triangle_shading;  ///< one for each triangle

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "numeric/scalar.h"
@@ -13,28 +11,14 @@ namespace pyrasim {
 template <class Scalar>
 struct ViewRay {
   Vector<Scalar> direction;
-  Vector<Scalar> inverse;                ///< 1 / direction, finite: see below
-  Scalar inverse_length_squared;         ///< 1 / direction . direction
-  std::array<std::uint8_t, 3> backward;  ///< per axis 1 where the inverse is negative
+  Scalar slope_y;  ///< y / x: the same all along the ray; meaningful where x > 0
+  Scalar slope_z;
+  Scalar inverse_length_squared;  ///< 1 / direction . direction
 
-  explicit ViewRay(const Vector<Scalar>& v)
-      : direction(v),
-        inverse(finite_inverse(v.x), finite_inverse(v.y), finite_inverse(v.z)),
-        inverse_length_squared(Scalar(1) / dot(v, v)),
-        backward{is_negative(v.x), is_negative(v.y), is_negative(v.z)} {}
-
- private:
-  /// A zero component counts as a tiny one. Then 0 times the inverse is 0, not NaN, a box that contains the origin's
-  /// coordinate (its faces included) is crossed for all t, and any other box is missed.
-  static Scalar finite_inverse(Scalar component) {
-    using std::abs, std::copysign;  // or those of the number format
-    constexpr auto tiny = tiny_component<Scalar>();
-    return Scalar(1) / (abs(component) < tiny ? copysign(tiny, component) : component);
-  }
-
-  static bool is_negative(Scalar component) {
-    using std::signbit;
-    return signbit(component);
+  explicit ViewRay(const Vector<Scalar>& v) : direction(v), inverse_length_squared(Scalar(1) / dot(v, v)) {
+    const Scalar inverse_x = Scalar(1) / v.x;
+    slope_y = v.y * inverse_x;
+    slope_z = v.z * inverse_x;
   }
 };
 

@@ -6,7 +6,6 @@
 
 #include "pyramid/sample.h"
 #include "trace/prepared_scene.h"
-#include "trace/ray.h"
 
 namespace pyrasim {
 
@@ -22,17 +21,6 @@ class SceneTracer {
   const PreparedScene<Scalar>& scene() const { return scene_; }
 
  private:
-  struct Candidate {
-    Nearest<Scalar> nearest;
-    SurfaceKind kind;
-    std::uint32_t index;  ///< among the surfaces of its kind; no_object without a hit
-  };
-
-  void traverse(const ViewRay<Scalar>& ray, Candidate& best, Work& work) const;
-  void test_leaf(const typename PreparedScene<Scalar>::Leaf& leaf, const ViewRay<Scalar>& ray, Candidate& best,
-                 Work& work) const;
-  Sample shade(const Vector<Scalar>& view_vector, const Candidate& hit) const;
-
   PreparedScene<Scalar> scene_;
 };
 

@@ -9,7 +9,7 @@
 #include "numeric/number_types.h"
 #include "trace/plane.h"
 #include "trace/ray.h"
-#include "trace/slab_test.h"
+#include "trace/box_test.h"
 #include "trace/sphere.h"
 #include "trace/triangle.h"
 #include "trace/view_vector.h"
@@ -52,24 +52,22 @@ void expect_hits() {
   EXPECT_EQ(intersect_triangle({vertices, identity}, TriangleShear<Scalar>(direction)), Scalar(2));
 }
 
-/// A ray along an axis through a box about that axis, past one beside it, and away from one behind.
+/// A ray of slopes 0 and 0.5 through a box about it, past one beside it, along another's edge, and short of one.
 template <class Scalar>
 void expect_boxes_are_told_apart() {
-  typename PreparedScene<Scalar>::Node node{};
-  const auto set = [&](std::size_t box, std::array<double, 6> bounds) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      node.bounds[axis][0][box] = Scalar(bounds[axis]);
-      node.bounds[axis][1][box] = Scalar(bounds[axis + 3]);
-    }
+  SeenBoxes<Scalar> boxes{};
+  const auto set = [&](std::size_t box, double depth, std::array<double, 4> slopes) {
+    boxes.depth[box] = Scalar(depth);
+    boxes.lower_y[box] = Scalar(slopes[0]);
+    boxes.upper_y[box] = Scalar(slopes[1]);
+    boxes.lower_z[box] = Scalar(slopes[2]);
+    boxes.upper_z[box] = Scalar(slopes[3]);
   };
-  set(0, {2, -1, -1, 3, 1, 1});
-  set(1, {2, 0.5, -1, 3, 1, 1});
-  set(2, {-3, -1, -1, -2, 1, 1});
-  set(3, {2, 0, 0, 3, 1, 1});  // the ray runs along an edge
-  const ViewRay<Scalar> ray(vector<Scalar>(1, 0, 0));
-  const SlabHits<Scalar> hits = SlabTest<Scalar>(ray)(node, std::numeric_limits<Scalar>::infinity());
-  EXPECT_EQ(hits.mask, 0b1001U);
-  EXPECT_EQ(hits.entry[0], Scalar(2));
+  set(0, 2, {-1, 1, 0, 1});
+  set(1, 2, {0.5, 1, 0, 1});
+  set(2, 2, {0, 1, 0.5, 1});
+  set(3, 3, {-1, 1, 0, 1});
+  EXPECT_EQ(met_boxes(boxes, ViewRay<Scalar>(vector<Scalar>(2, 0, 1)), Scalar(2.5)), 0b0101U);
 }
 
 TEST(Scalar, EveryFormatServesTheKernels) {
@@ -88,18 +86,6 @@ TEST(Scalar, ViewVectorsComeFromIntegerGridPoints) {
   const ViewVectors<Fix<64, 20>> vectors(screen, 8);
   EXPECT_EQ(glm::dvec3(vectors({0, 0})), glm::dvec3(1, 0.25, -0.5));
   EXPECT_EQ(glm::dvec3(vectors({16, 31})), glm::dvec3(1, -0.25, 0.46875));
-}
-
-TEST(Scalar, TheInverseOfATinyComponentIsFiniteAndLarge) {
-  EXPECT_EQ(tiny_component<double>(), 1e-30);
-  EXPECT_EQ(tiny_component<float>(), 1e-30F);
-  for (const NumberFormat& format : number_formats()) {
-    with_number_type(format, [&]<class Scalar>(std::type_identity<Scalar>) {
-      const Scalar inverse = Scalar(1) / tiny_component<Scalar>();
-      EXPECT_GT(inverse, Scalar(100)) << format.name();
-      EXPECT_LT(inverse, std::numeric_limits<Scalar>::infinity()) << format.name();
-    });
-  }
 }
 
 TEST(Scalar, FunctionsOfTheFormatsAreFoundByTheirArguments) {

@@ -115,13 +115,10 @@ TEST(Hierarchy, GeometricSpacingKeepsTheDepthBound) {
   }
 }
 
-TEST(BoundingBox, PadGrowsByTheLargestCoordinate) {
-  BoundingBox box = cube({10, 0, 0}, 2);
-  box.pad(0.25, 2);
-  EXPECT_EQ(box.lower, glm::dvec3(8 - 6, -2 - 6, -2 - 6));
-  EXPECT_EQ(box.upper, glm::dvec3(12 + 6, 2 + 6, 2 + 6));
-  EXPECT_EQ(BoundingBox().half_area(), 0);
-  EXPECT_EQ(cube({1, 1, 1}, 0.5).half_area(), 3);
+TEST(BoundingBox, FrontalAreaIsWhatARayAlongXSees) {
+  EXPECT_EQ(BoundingBox().frontal_area(), 0);
+  const BoundingBox box{{1, 2, 3}, {9, 4, 6}};
+  EXPECT_EQ(box.frontal_area(), 2 * 3);
 }
 
 }  // namespace

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bounds as the observer sees them. Every view ray starts at the origin, so along it the slopes y / x and z / x do not
+// change: in the coordinates (depth x, slope y / x, slope z / x) all view rays run parallel to the first axis, and
+// whether one meets a box takes comparisons only.
+#pragma once
+
+#include <array>
+
+#include "scene/scene.h"
+#include "trace/bounding_box.h"
+
+namespace pyrasim {
+
+/// The sphere grown by `margin`, in seen coordinates. Sides that the observer's plane x = 0 cuts are infinite; the
+/// bounds of what lies behind it are empty.
+BoundingBox seen_sphere(const glm::dvec3& center, double radius, double margin);
+
+/// The triangle grown by `margin` along each axis, likewise.
+BoundingBox seen_triangle(const std::array<glm::dvec3, 3>& vertices, double margin);
+
+/// What of seen bounds lies on the screen, where all rays of a picture are; off the screen a point of its border.
+BoundingBox on_screen(const BoundingBox& seen, const Screen& screen);
+
+}  // namespace pyrasim

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/wide_hierarchy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trace/hierarchy_builder.h"
+#include "trace/seen_bounds.h"
+
+namespace pyrasim {
+namespace {
+
+/// Roundings of the largest coordinate by which bounds are grown. The tests of boxes and surfaces err by a few each;
+/// with the margin a ray that a surface counts as hit never misses the box around it, so that results do not depend on
+/// the hierarchy.
+constexpr double margin_roundings = 32;
+
+template <class Scalar>
+double margin(double largest_coordinate) {
+  return largest_coordinate * static_cast<double>(epsilon<Scalar>()) * margin_roundings;
+}
+
+double largest_coordinate(const glm::dvec3& point) {
+  return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+}
+
+template <class Scalar>
+BoundingBox bounds_of(const SphereSurface<Scalar>& sphere) {
+  const double radius = 1 / static_cast<double>(sphere.inverse_radius);
+  const glm::dvec3 center(sphere.center);
+  return seen_sphere(center, radius, margin<Scalar>(largest_coordinate(center) + radius));
+}
+
+template <class Scalar>
+BoundingBox bounds_of(const TriangleSurface<Scalar>& triangle) {
+  std::array<glm::dvec3, 3> vertices;
+  double largest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& [x, y, z] = triangle.vertices[k];
+    vertices[k] = glm::dvec3(x, y, z);
+    largest = std::max(largest, largest_coordinate(vertices[k]));
+  }
+  return seen_triangle(vertices, margin<Scalar>(largest));
+}
+
+/// Nodes of up to node_width children out of a binary hierarchy.
+template <class Scalar>
+class Widening {
+ public:
+  Widening(PreparedScene<Scalar>& scene, const Screen& screen) : scene_(scene) {
+    for (const auto& sphere : scene.spheres) bounds_.push_back(bounds_of(sphere));
+    for (const auto& triangle : scene.triangles) bounds_.push_back(bounds_of(triangle));
+    std::vector<BoundingBox> visible;
+    visible.reserve(bounds_.size());
+    for (const BoundingBox& bounds : bounds_) visible.push_back(on_screen(bounds, screen));
+    hierarchy_ = build_hierarchy(visible);
+    spheres_.swap(scene.spheres);
+    triangles_.swap(scene.triangles);
+    shading_.swap(scene.triangle_shading);
+  }
+
+  void build() {
+    const auto spheres = static_cast<std::uint32_t>(spheres_.size());
+    const auto triangles = static_cast<std::uint32_t>(triangles_.size());
+    scene_.everything = scene_.root = add_leaf({0, spheres, 0, triangles});
+    if (!hierarchy_.nodes.empty()) scene_.root = convert(hierarchy_.nodes.front()).reference;
+  }
+
+ private:
+  using Node = typename PreparedScene<Scalar>::Node;
+  using Leaf = typename PreparedScene<Scalar>::Leaf;
+
+  struct Converted {
+    BoundingBox bounds;          ///< of all surfaces in it, those off the screen too
+    std::int32_t reference = 0;  ///< as Node::child
+  };
+
+  Converted convert(const HierarchyNode& node) {
+    if (node.count > 0) return convert_leaf(node);
+    const std::size_t index = scene_.nodes.size();
+    scene_.nodes.emplace_back();
+    const std::vector<const HierarchyNode*> sources = widened(node);
+    std::array<Converted, node_width> children;
+    BoundingBox bounds;
+    for (std::size_t k = 0; k < sources.size(); ++k) {
+      children[k] = convert(*sources[k]);
+      bounds.include(children[k].bounds);
+    }
+    // Children without a surface before the observer, and those that there are not, begin at infinity.
+    std::stable_sort(children.begin(), children.end(),
+                     [](const Converted& a, const Converted& b) { return a.bounds.lower.x < b.bounds.lower.x; });
+    Node& wide = scene_.nodes[index];
+    wide.children = static_cast<std::uint32_t>(sources.size());
+    for (std::size_t k = 0; k < node_width; ++k) {
+      wide.boxes.set(k, children[k].bounds);
+      wide.child[k] = children[k].reference;
+    }
+    return {bounds, static_cast<std::int32_t>(index)};
+  }
+
+  /// The children of a wide node: those of the binary one, the largest inner one replaced by its own while there is
+  /// room.
+  std::vector<const HierarchyNode*> widened(const HierarchyNode& node) const {
+    const auto* const nodes = hierarchy_.nodes.data();
+    std::vector<const HierarchyNode*> children{nodes + node.first, nodes + node.first + 1};
+    while (children.size() < node_width) {
+      const HierarchyNode** largest = nullptr;
+      for (const HierarchyNode*& child : children) {
+        if (child->count > 0) continue;
+        if (largest == nullptr || child->box.frontal_area() > (*largest)->box.frontal_area()) largest = &child;
+      }
+      if (largest == nullptr) break;
+      const std::uint32_t first = (*largest)->first;
+      *largest = nodes + first;
+      children.push_back(nodes + first + 1);
+    }
+    return children;
+  }
+
+  Converted convert_leaf(const HierarchyNode& node) {
+    Leaf leaf{static_cast<std::uint32_t>(scene_.spheres.size()), 0, static_cast<std::uint32_t>(scene_.triangles.size()),
+              0};
+    BoundingBox bounds;
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      const std::uint32_t reference = hierarchy_.references[k];
+      bounds.include(bounds_[reference]);
+      if (reference < spheres_.size()) {
+        scene_.spheres.push_back(spheres_[reference]);
+        ++leaf.spheres;
+      } else {
+        scene_.triangles.push_back(triangles_[reference - spheres_.size()]);
+        scene_.triangle_shading.push_back(shading_[reference - spheres_.size()]);
+        ++leaf.triangles;
+      }
+    }
+    return {bounds, add_leaf(leaf)};
+  }
+
+  std::int32_t add_leaf(const Leaf& leaf) {
+    scene_.leaves.push_back(leaf);
+    return ~static_cast<std::int32_t>(scene_.leaves.size() - 1);
+  }
+
+  PreparedScene<Scalar>& scene_;
+  std::vector<BoundingBox> bounds_;  // in seen coordinates; spheres, then triangles, as the hierarchy's references
+  Hierarchy hierarchy_;
+  std::vector<SphereSurface<Scalar>> spheres_;  // in the order of the scene
+  std::vector<TriangleSurface<Scalar>> triangles_;
+  std::vector<FlatShading<Scalar>> shading_;
+};
+
+}  // namespace
+
+template <class Scalar>
+void build_wide_hierarchy(PreparedScene<Scalar>& scene, const Screen& screen) {
+  Widening<Scalar>(scene, screen).build();
+}
+
+template void build_wide_hierarchy<double>(PreparedScene<double>&, const Screen&);
+template void build_wide_hierarchy<float>(PreparedScene<float>&, const Screen&);
+
+}  // namespace pyrasim
