@@ -29,9 +29,10 @@ struct BottleneckLink {
   bool starved = false;  ///< waited for the next link's tokens; else for room in its FIFO
 };
 
-/// From the tree accumulator, which finishes pixels, to the cause: the box at the other end of the FIFOs for which a box
-/// waited longest comes next. Ends at the busiest box of all, if it is busy for longer than it waits for any other. Where
-/// it comes back to a box instead, that box is repeated as the last link: the frame waits for the latency of that loop.
+/// From the tree accumulator, which finishes pixels, to the cause: the box at the other end of the FIFOs for which a
+/// box waited longest comes next. Ends at the busiest box of all, if it is busy for longer than it waits for any other.
+/// Where it comes back to a box instead, that box is repeated as the last link: the frame waits for the latency of that
+/// loop.
 std::vector<BottleneckLink> bottleneck_chain(const Processor& processor);
 /// "tree_accumulator busy 10.3 % <- starved by pyramid_classifier busy 15.7 % <- ..."
 std::string bottleneck_text(const std::vector<BottleneckLink>& chain);

@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "numeric/number_types.h"
+#include "trace/box_test.h"
 #include "trace/plane.h"
 #include "trace/ray.h"
-#include "trace/box_test.h"
 #include "trace/sphere.h"
 #include "trace/triangle.h"
 #include "trace/view_vector.h"
