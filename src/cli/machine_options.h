@@ -22,9 +22,7 @@ struct MachineOptions {
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command
-        .add_option("--max-cycles", max_cycles,
-                    "give up on a frame that takes longer: exit code 4, and the machine's state")
+    command.add_option("--max-cycles", max_cycles, "give up on a frame that takes longer: exit code 4")
         ->type_name("N")
         ->check(CLI::Range(hw::Cycle{1}, hw::never - 1));
   }
