@@ -52,7 +52,7 @@ class Walk {
         here.met = met_boxes(here.node->boxes, ray_, depth_limit());
         work_.box_tests += here.node->children;
       } else {
-        test_leaf(scene_.leaves[static_cast<std::size_t>(~current)]);
+        test_leaf(scene_.leaves[static_cast<std::size_t>(~static_cast<std::int64_t>(current))]);
       }
       std::size_t child = 0;
       while (here.met == 0 || here.node->boxes.depth[child = lowest_bit(here.met)] > depth_limit()) {
