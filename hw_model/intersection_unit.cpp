@@ -4,8 +4,8 @@
 namespace pyrasim::hw {
 
 IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, Cycle latency, const IntersectionCost& cost,
-                                   const Datapath& datapath)
-    : StageOf(name), latency_(latency), cost_(cost), datapath_(datapath) {}
+                                   const Tracer& tracer, bool count_events)
+    : StageOf(name), latency_(latency), cost_(cost), tracer_(tracer), count_events_(count_events) {}
 
 Start IntersectionUnit::next() {
   return Start(ready()).needs_token(view_vector_generator).needs_room(pyramid_classifier);
@@ -26,9 +26,10 @@ void IntersectionUnit::fire(Cycle now) {
   occupy(now, occupied);
 }
 
-Sample IntersectionUnit::nearest_hit(const RayMessage& ray, Work& work) const {
+Sample IntersectionUnit::nearest_hit(const RayMessage& ray, Work& work) {
   if (corners_ahead_ != nullptr && !ray.subdivision) return corners_ahead_->trace(ray.point, ray.view_vector, work);
-  return datapath_.trace(ray.view_vector, work);
+  if (count_events_) return counting_events(events_, [&] { return tracer_.trace(ray.view_vector, work); });
+  return tracer_.trace(ray.view_vector, work);
 }
 
 Cycle IntersectionUnit::occupancy(const Work& work) const {

@@ -5,7 +5,8 @@
 #include "hw_model/message.h"
 #include "hw_model/stage.h"
 #include "trace/corners_ahead.h"
-#include "trace/datapath.h"
+#include "trace/datapath_formats.h"
+#include "trace/tracer.h"
 
 namespace pyrasim::hw {
 
@@ -17,23 +18,27 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   FifoPort<SampleMessage> pyramid_classifier{"pyramid_classifier"};
 
   IntersectionUnit(const sc_core::sc_module_name& name, Cycle latency, const IntersectionCost& cost,
-                   const Datapath& datapath);
+                   const Tracer& tracer, bool count_events);
 
   Start next() override;
   void fire(Cycle now) override;
   const Work& work() const { return work_; }
+  /// Of the arithmetic, where the constructor was told to count; costs a little.
+  const ArithmeticEvents& events() const { return events_; }
   /// Takes corners that the host has traced before their time from there; none: traces all itself.
   void take_corners(CornersAhead* corners_ahead) { corners_ahead_ = corners_ahead; }
 
  private:
-  Sample nearest_hit(const RayMessage& ray, Work& work) const;
+  Sample nearest_hit(const RayMessage& ray, Work& work);
   Cycle occupancy(const Work& work) const;
 
   Cycle latency_;
   IntersectionCost cost_;
-  const Datapath& datapath_;
+  const Tracer& tracer_;
+  bool count_events_;
   CornersAhead* corners_ahead_ = nullptr;
   Work work_;
+  ArithmeticEvents events_;
 };
 
 extern template class StageOf<IntersectionUnit>;

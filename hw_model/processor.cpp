@@ -22,19 +22,22 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
       max_cycles_(options.max_cycles),
       spec_(checked(spec, scene, options)),
       screen_(scene.camera.screen),
-      datapath_(make_datapath(scene, std::int64_t{1} << options.max_level, options.scalar)),
-      contents_(datapath_->contents()),
+      formats_(options.formats),
+      tracer_(make_tracer(scene, formats_.intersection)),
+      view_vectors_(screen_, std::int64_t{1} << options.max_level, formats_.view_vectors),
+      contents_(tracer_->contents()),
       pixel_scan_("pixel_scan", spec.pixel_scan, scene.camera.screen, options.max_level),
       view_vector_generator_("view_vector_generator", spec.view_vector_generator, spec.intersection_units,
-                             spec.dispatch, *datapath_, options.max_level),
+                             spec.dispatch, view_vectors_, formats_.counts_events(), options.max_level),
       pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, scene, options.leaf,
                           options.max_level),
       tree_accumulator_("tree_accumulator", spec.tree_accumulator, spec.pixels_in_flight, options.max_level),
       frame_buffer_("frame_buffer", spec.frame_buffer, scene.camera.screen.columns, scene.camera.screen.rows,
                     options.progress) {
   for (std::size_t k = 0; k < spec.intersection_units; ++k) {
-    intersection_units_.push_back(std::make_unique<IntersectionUnit>(
-        fmt::format("intersection_unit_{}", k).c_str(), spec.intersection_latency, spec.intersection_cost, *datapath_));
+    intersection_units_.push_back(std::make_unique<IntersectionUnit>(fmt::format("intersection_unit_{}", k).c_str(),
+                                                                     spec.intersection_latency, spec.intersection_cost,
+                                                                     *tracer_, formats_.counts_events()));
   }
   if (options.max_level > 0 && !scene.objects.empty()) {
     controller_ = std::make_unique<SubdivisionController>("subdivision_controller", spec.subdivision_controller,
@@ -60,8 +63,8 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
 
 void Processor::run_decoupled(int threads) {
   std::optional<CornersAhead> corners;
-  if (threads > 1) {
-    corners.emplace(*datapath_, screen_, std::uint32_t{1} << pyramid_classifier_.max_level(),
+  if (threads > 1 && !formats_.counts_events()) {
+    corners.emplace(*tracer_, view_vectors_, screen_, std::uint32_t{1} << pyramid_classifier_.max_level(),
                     intersection_units_.size() * spec_.fifos.view_vector_generator_to_intersection_unit);
   }
   for (const auto& unit : intersection_units_) unit->take_corners(corners ? &*corners : nullptr);
@@ -161,7 +164,11 @@ Cycle Processor::cycles() const {
 FrameStatistics Processor::statistics() const {
   FrameStatistics statistics = pyramid_classifier_.counts();
   statistics.rays_by_level = view_vector_generator_.rays_by_level();
-  for (const auto& unit : intersection_units_) statistics.work += unit->work();
+  statistics.arithmetic.view_vectors = view_vector_generator_.events();
+  for (const auto& unit : intersection_units_) {
+    statistics.work += unit->work();
+    statistics.arithmetic.intersection += unit->events();
+  }
   return statistics;
 }
 

@@ -28,7 +28,7 @@ struct SimulationOptions {
   int max_level = 3;
   Leaf leaf = Leaf::mean;
   Engine engine = Engine::decoupled;
-  ScalarFormat scalar = ScalarFormat::double_precision;
+  DatapathFormats formats;
   Cycle max_cycles = never;   ///< the machine stops once it cannot end within so many
   int threads = 1;            ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
   bool check_machine = true;  ///< refuse a machine that cannot hold the frame; off only to see it deadlock
@@ -89,7 +89,9 @@ class Processor final : public sc_core::sc_module {
   Cycle max_cycles_;
   MachineSpec spec_;
   Screen screen_;
-  std::unique_ptr<Datapath> datapath_;
+  DatapathFormats formats_;
+  std::unique_ptr<Tracer> tracer_;
+  ViewVectors view_vectors_;
   SceneContents contents_;
   PixelScan pixel_scan_;
   ViewVectorGenerator view_vector_generator_;

@@ -4,12 +4,14 @@
 namespace pyrasim::hw {
 
 ViewVectorGenerator::ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units,
-                                         Dispatch dispatch, const Datapath& datapath, int max_level)
+                                         Dispatch dispatch, const ViewVectors& view_vectors, bool count_events,
+                                         int max_level)
     : StageOf(name),
       intersection_units("intersection_unit", units),
       timing_(timing),
       dispatch_(units == 1 ? Dispatch::round_robin : dispatch),
-      datapath_(datapath),
+      view_vectors_(view_vectors),
+      count_events_(count_events),
       max_level_(max_level) {}
 
 Start ViewVectorGenerator::next() {
@@ -77,6 +79,11 @@ void ViewVectorGenerator::fire(Cycle now) {
   occupy(now, timing_.interval);
 }
 
+glm::dvec3 ViewVectorGenerator::view_vector(GridPoint point) {
+  if (count_events_) return counting_events(events_, [&] { return view_vectors_(point); });
+  return view_vectors_(point);
+}
+
 void ViewVectorGenerator::issue(GridPoint point, std::uint32_t level, const PixelTag& tag, Cycle now) {
   ++rays_by_level_[level];
   if (dispatch_ == Dispatch::first_free) {
@@ -85,7 +92,7 @@ void ViewVectorGenerator::issue(GridPoint point, std::uint32_t level, const Pixe
   }
   intersection_units[unit_]->write_made(
       [&] {
-        return RayMessage{datapath_.view_vector(point), point, tag, level > 0};
+        return RayMessage{view_vector(point), point, tag, level > 0};
       },
       now, timing_.latency);
   if (++unit_ == intersection_units.size()) unit_ = 0;

@@ -6,7 +6,8 @@
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
 #include "hw_model/stage.h"
-#include "trace/datapath.h"
+#include "trace/datapath_formats.h"
+#include "trace/view_vector.h"
 
 namespace pyrasim::hw {
 
@@ -21,7 +22,7 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   OptionalFifoPort<UnitNumber> reorder_buffer{"reorder_buffer"};  ///< to the classifier; only under first_free
 
   ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, Dispatch dispatch,
-                      const Datapath& datapath, int max_level);
+                      const ViewVectors& view_vectors, bool count_events, int max_level);
 
   Start next() override;
   void fire(Cycle now) override;
@@ -39,16 +40,20 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   std::size_t next_unit() const { return unit_; }
   /// Rays issued to form subpixels of each level; [0] are the corners of the raster.
   const std::array<std::uint64_t, max_level_limit + 1>& rays_by_level() const { return rays_by_level_; }
+  /// Of the arithmetic, where the constructor was told to count; costs a little.
+  const ArithmeticEvents& events() const { return events_; }
 
  private:
   bool request_goes_first();
   Start with_room(Start start);
   Start with_free_unit(Start start);
+  glm::dvec3 view_vector(GridPoint point);
   void issue(GridPoint point, std::uint32_t level, const PixelTag& tag, Cycle now);
 
   StageTiming timing_;
   Dispatch dispatch_;
-  const Datapath& datapath_;
+  ViewVectors view_vectors_;
+  bool count_events_;
   int max_level_;
   Pyramid request_;             ///< whose rays are being issued
   std::size_t rays_left_ = 0;   ///< of request_
@@ -56,6 +61,7 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   std::size_t unit_ = 0;        ///< that the next ray goes to, or from which first_free counts on
   std::size_t free_unit_ = 0;   ///< that first_free has settled on
   std::array<std::uint64_t, max_level_limit + 1> rays_by_level_{};
+  ArithmeticEvents events_;
 };
 
 }  // namespace pyrasim::hw

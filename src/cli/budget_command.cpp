@@ -143,8 +143,8 @@ struct BudgetCommand {
     const Screen& screen = asked.scene.camera.screen;
     asked.options.max_level = parse_max_level(frame.max_level, screen);
     asked.options.leaf = frame.leaf;
-    asked.options.scalar = frame.scalar;
     check_addressable(screen, asked.options.max_level);
+    asked.options.formats = frame.formats(screen, std::int64_t{1} << asked.options.max_level);
     hw::check_machine_holds(asked.spec, asked.options.max_level, screen.columns);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);

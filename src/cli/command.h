@@ -38,15 +38,18 @@ struct FrameOptions {
   std::string size;             ///< "COLUMNSxROWS", or empty: as the scene says
   std::string max_level = "3";  ///< a number or "auto"
   Leaf leaf = Leaf::mean;
-  ScalarFormat scalar = ScalarFormat::double_precision;
+  std::string scalar = "double";
 
   /// Reads the scene, on the screen asked for; its warnings go to stderr.
   Scene load() const;
+  /// The number formats asked for, which can address `screen` at `steps` grid steps along a pixel's side; a warning
+  /// goes to stderr.
+  DatapathFormats formats(const Screen& screen, std::int64_t steps) const;
 };
 
 /// Adds SCENE, --size, --max-level and --leaf. --scalar is the caller's choice.
 void add_frame_options(CLI::App& command, FrameOptions& options);
-void add_scalar_option(CLI::App& command, ScalarFormat& scalar);
+void add_scalar_option(CLI::App& command, std::string& scalar);
 void add_leaf_option(CLI::App& command, Leaf& leaf);
 
 /// What the loader has to remark on a scene, on stderr, a line each.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <iostream>
@@ -23,6 +24,14 @@ Scene FrameOptions::load() const {
   return loaded;
 }
 
+DatapathFormats FrameOptions::formats(const Screen& screen, std::int64_t steps) const {
+  const DatapathFormats parsed = parse_datapath_formats(scalar);
+  if (const auto warning = check_addressing(parsed, screen, steps)) {
+    std::cerr << "pyrasim: warning: " << *warning << '\n';
+  }
+  return parsed;
+}
+
 void add_frame_options(CLI::App& command, FrameOptions& options) {
   command.add_option("SCENE", options.scene, "scene file (JSON)")->required();
   command.add_option("--size", options.size, "pixels of the screen; its width, distance and the pixel's aspect stay")
@@ -38,10 +47,16 @@ void add_leaf_option(CLI::App& command, Leaf& leaf) {
              "an edge at the deepest level: mean of its corners, or drop (background)");
 }
 
-void add_scalar_option(CLI::App& command, ScalarFormat& scalar) {
-  add_choice(command, "--scalar", scalar,
-             {{"double", ScalarFormat::double_precision}, {"float", ScalarFormat::single_precision}},
-             "number format of the datapath");
+void add_scalar_option(CLI::App& command, std::string& scalar) {
+  std::vector<std::string> names;
+  for (const NumberFormat& format : number_formats()) names.push_back(format.name());
+  command
+      .add_option("--scalar", scalar,
+                  fmt::format("number format of the datapath, or of each stage: view_vectors=FORMAT,"
+                              "intersection=FORMAT; formats: {}",
+                              fmt::join(names, ", ")))
+      ->type_name("FORMAT")
+      ->capture_default_str();
 }
 
 void print_warnings(const Scene& scene) {

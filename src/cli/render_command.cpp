@@ -23,12 +23,14 @@ struct RenderCommand {
     Method chosen = parse_method(method);
     chosen.pyramids = {parse_max_level(frame.max_level, scene.camera.screen), frame.leaf, reuse, threads};
     chosen.sampling.seed = seed;
+    const DatapathFormats formats = frame.formats(
+        scene.camera.screen, chosen.pyramid ? std::int64_t{1} << chosen.pyramids.max_level : chosen.sampling.grid);
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
-    const Rendering rendering = render(scene, chosen, frame.scalar, threads, progress_bar("rendering"));
+    const Rendering rendering = render(scene, chosen, formats, threads, progress_bar("rendering"));
     picture.write(rendering.image);
-    if (statistics) statistics->write(text_of(render_document(frame.scene, chosen, frame.scalar, rendering)));
+    if (statistics) statistics->write(text_of(render_document(frame.scene, chosen, formats, rendering)));
   }
 };
 

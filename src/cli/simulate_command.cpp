@@ -30,11 +30,11 @@ struct SimulateCommand {
     options.max_level = parse_max_level(frame.max_level, scene.camera.screen);
     options.leaf = frame.leaf;
     options.engine = engine;
-    options.scalar = frame.scalar;
     options.max_cycles = machine.max_cycles;
     options.threads = thread_count(threads);
     options.progress = progress_bar("simulating");
     check_addressable(scene.camera.screen, options.max_level);
+    options.formats = frame.formats(scene.camera.screen, std::int64_t{1} << options.max_level);
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);

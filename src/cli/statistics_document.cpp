@@ -12,17 +12,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json head(const std::string& scene, const std::string& method, int max_level, ScalarFormat scalar, Leaf leaf,
-                  const Image& image) {
-  return {{"pyrasim", version()},
-          {"command", command_line()},
-          {"scene", scene},
-          {"method", method},
-          {"max_level", max_level},
-          {"leaf", leaf == Leaf::mean ? "mean" : "drop"},
-          {"scalar", scalar == ScalarFormat::double_precision ? "double" : "float"},
-          {"columns", image.columns()},
-          {"rows", image.rows()}};
+ordered_json head(const std::string& scene, const std::string& method, int max_level, const DatapathFormats& formats,
+                  Leaf leaf, const Image& image) {
+  return {{"pyrasim", version()},     {"command", command_line()},  {"scene", scene},
+          {"method", method},         {"max_level", max_level},     {"leaf", leaf == Leaf::mean ? "mean" : "drop"},
+          {"scalar", formats.name()}, {"columns", image.columns()}, {"rows", image.rows()}};
 }
 
 void add_counts(ordered_json& document, const FrameStatistics& statistics, int max_level) {
@@ -47,6 +41,21 @@ void add_counts(ordered_json& document, const FrameStatistics& statistics, int m
     surface_tests[std::string(surface_kind_names[kind])] = statistics.work.surface_tests[kind];
   }
   document["work"] = {{"box_tests", statistics.work.box_tests}, {"surface_tests", surface_tests}};
+}
+
+ordered_json events_document(const ArithmeticEvents& events) {
+  return {{"saturations", events.saturations},
+          {"underflows", events.underflows},
+          {"inexact", events.inexact},
+          {"divisions_by_zero", events.divisions_by_zero},
+          {"invalid", events.invalid}};
+}
+
+/// The processor's own formats are not watched.
+void add_events(ordered_json& document, const DatapathEvents& events, const DatapathFormats& formats) {
+  if (!formats.counts_events()) return;
+  document["arithmetic"] = {{"view_vectors", events_document(events.view_vectors)},
+                            {"intersection", events_document(events.intersection)}};
 }
 
 ordered_json machine_document(const hw::Processor& processor) {
@@ -156,12 +165,13 @@ std::string text_of(const ordered_json& document) {
   return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-ordered_json render_document(const std::string& scene, const Method& method, ScalarFormat scalar,
+ordered_json render_document(const std::string& scene, const Method& method, const DatapathFormats& formats,
                              const Rendering& rendering) {
   const int max_level = method.pyramid ? method.pyramids.max_level : 0;
   const FrameStatistics& statistics = rendering.statistics;
-  ordered_json document = head(scene, method.name(), max_level, scalar, method.pyramids.leaf, rendering.image);
+  ordered_json document = head(scene, method.name(), max_level, formats, method.pyramids.leaf, rendering.image);
   add_counts(document, statistics, max_level);
+  add_events(document, statistics.arithmetic, formats);
   const std::uint64_t none = statistics.primary_rays() + subdivision_rays * statistics.subdivisions;
   const std::uint64_t pixel = none - statistics.repeated_in_pixel;
   document["rays_by_reuse"] = {{"none", none}, {"pixel", pixel}, {"frame", pixel - statistics.repeated_between_pixels}};
@@ -172,9 +182,10 @@ ordered_json render_document(const std::string& scene, const Method& method, Sca
 ordered_json simulation_document(const std::string& scene, const hw::SimulationOptions& options,
                                  const hw::Processor& processor,
                                  const std::vector<std::unique_ptr<hw::Occupancy>>& occupancies) {
-  ordered_json document = head(scene, "pyramid", options.max_level, options.scalar, options.leaf, processor.image());
+  ordered_json document = head(scene, "pyramid", options.max_level, options.formats, options.leaf, processor.image());
   document["engine"] = options.engine == hw::Engine::decoupled ? "decoupled" : "lockstep";
   add_counts(document, processor.statistics(), options.max_level);
+  add_events(document, processor.statistics().arithmetic, options.formats);
   document["rays_by_reuse"] = {{"none", processor.statistics().total_rays()}};
   document["image"] = {{"sha256", image_sha256(processor.image())}};
   document["machine"] = machine_document(processor);

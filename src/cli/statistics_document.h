@@ -14,7 +14,7 @@
 namespace pyrasim::cli {
 
 /// Of a rendered frame.
-nlohmann::ordered_json render_document(const std::string& scene, const Method& method, ScalarFormat scalar,
+nlohmann::ordered_json render_document(const std::string& scene, const Method& method, const DatapathFormats& formats,
                                        const Rendering& rendering);
 
 /// Of a simulated frame. `occupancies`: of the processor's FIFOs, in their order.

@@ -104,7 +104,7 @@ struct SweepCommand {
       const hw::Processor& processor = *point.processor;
       const Image& image = processor.image();
       if (truth.image.columns() != image.columns() || truth.image.rows() != image.rows()) {
-        truth = render(point.scene, peer, ScalarFormat::double_precision, 0, progress_bar("reference"));
+        truth = render(point.scene, peer, {}, 0, progress_bar("reference"));
       }
       const ImageError error = image_error(image, truth.image);
       const FrameStatistics frame = processor.statistics();

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "pyramid/classifier.h"
+#include "trace/datapath_formats.h"
 #include "trace/surface.h"
 
 namespace pyrasim {
@@ -21,6 +22,7 @@ struct FrameStatistics {
   std::uint64_t repeated_in_pixel = 0;
   std::uint64_t repeated_between_pixels = 0;
   Work work;
+  DatapathEvents arithmetic;  ///< of software number formats; double and float count nothing
 
   std::uint64_t primary_rays() const { return rays_by_level[0]; }
   std::uint64_t subdivision_rays_traced() const {
@@ -42,6 +44,7 @@ struct FrameStatistics {
     repeated_in_pixel += other.repeated_in_pixel;
     repeated_between_pixels += other.repeated_between_pixels;
     work += other.work;
+    arithmetic += other.arithmetic;
     return *this;
   }
 };

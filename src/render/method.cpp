@@ -4,22 +4,25 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <memory>
 
 #include "error.h"
 
 namespace pyrasim {
 namespace {
 
-template <class Scalar>
-Rendering render_in(const Scene& scene, const Method& method, int threads, const Progress& progress) {
-  const SceneTracer<Scalar> tracer(scene);
+template <class AnyTracer>
+Rendering render_with(const AnyTracer& tracer, const Scene& scene, const Method& method, const NumberFormat& format,
+                      int threads, const Progress& progress) {
   if (method.pyramid) {
     PyramidOptions options = method.pyramids;
     options.threads = threads;
+    options.view_vectors = format;
     return render_pyramids(scene, tracer, options, progress);
   }
   SamplingOptions options = method.sampling;
   options.threads = threads;
+  options.view_vectors = format;
   return render_samples(scene, tracer, options, progress);
 }
 
@@ -51,10 +54,14 @@ Method parse_method(std::string_view name) {
                                max_sampling_grid));
 }
 
-Rendering render(const Scene& scene, const Method& method, ScalarFormat scalar, int threads, const Progress& progress) {
+Rendering render(const Scene& scene, const Method& method, const DatapathFormats& formats, int threads,
+                 const Progress& progress) {
   if (method.pyramid) check_addressable(scene.camera.screen, method.pyramids.max_level);
-  return scalar == ScalarFormat::single_precision ? render_in<float>(scene, method, threads, progress)
-                                                  : render_in<double>(scene, method, threads, progress);
+  if (formats.plain()) {
+    return render_with(SceneTracer<double>(scene), scene, method, formats.view_vectors, threads, progress);
+  }
+  const std::unique_ptr<Tracer> tracer = make_tracer(scene, formats.intersection);
+  return render_with(*tracer, scene, method, formats.view_vectors, threads, progress);
 }
 
 void check_addressable(const Screen& screen, int max_level) {

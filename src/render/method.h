@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "render/sampling_renderer.h"
-#include "trace/datapath.h"
+#include "trace/datapath_formats.h"
 
 namespace pyrasim {
 
@@ -26,9 +26,9 @@ Method parse_method(std::string_view name);
 /// Throws UsageError where the screen has more grid points at `max_level` than a GridPoint can address.
 void check_addressable(const Screen& screen, int max_level);
 
-/// Renders `scene` by `method` in the number format `scalar`, on `threads` threads (0: one for each core). Throws
+/// Renders `scene` by `method` in the number formats `formats`, on `threads` threads (0: one for each core). Throws
 /// UsageError where the screen has more grid points than can be addressed.
-Rendering render(const Scene& scene, const Method& method, ScalarFormat scalar, int threads,
+Rendering render(const Scene& scene, const Method& method, const DatapathFormats& formats, int threads,
                  const Progress& progress = {});
 
 }  // namespace pyrasim

@@ -7,6 +7,7 @@
 
 #include "pyramid/trace_tree.h"
 #include "render/sample_cache.h"
+#include "render/trace_point.h"
 
 namespace pyrasim {
 namespace {
@@ -22,12 +23,12 @@ struct Seam {
 };
 
 /// What all threads read, and the seams by which they hand over.
-template <class Scalar>
+template <class AnyTracer>
 struct Frame {
-  const SceneTracer<Scalar>& tracer;
+  const AnyTracer& tracer;
   const PyramidOptions& options;
   Palette palette;
-  ViewVectors<Scalar> view_vectors;
+  ViewVectors view_vectors;
   int columns;
   int rows;
   Image image;
@@ -37,10 +38,10 @@ struct Frame {
 };
 
 /// Renders bands of rows; one for each thread.
-template <class Scalar>
+template <class AnyTracer>
 class BandWorker {
  public:
-  explicit BandWorker(Frame<Scalar>& frame) : frame_(frame), max_level_(frame.options.max_level) {}
+  explicit BandWorker(Frame<AnyTracer>& frame) : frame_(frame), max_level_(frame.options.max_level) {}
   BandWorker(const BandWorker&) = delete;
   BandWorker& operator=(const BandWorker&) = delete;
   ~BandWorker() {
@@ -80,7 +81,9 @@ class BandWorker {
     below.ready.notify_all();
   }
 
-  Sample trace(GridPoint point) { return frame_.tracer.trace(frame_.view_vectors(point), statistics_.work); }
+  Sample trace(GridPoint point) {
+    return trace_point(frame_.tracer, frame_.view_vectors, point, statistics_.work, statistics_.arithmetic);
+  }
 
   /// Corners of row first_row_ + k: each traced once, however many pixels share it.
   void trace_corner_row(int k) {
@@ -167,7 +170,7 @@ class BandWorker {
     return *sample;
   }
 
-  Frame<Scalar>& frame_;
+  Frame<AnyTracer>& frame_;
   const int max_level_;
   FrameStatistics statistics_;
   int first_row_ = 0;
@@ -182,28 +185,27 @@ class BandWorker {
 
 }  // namespace
 
-template <class Scalar>
-Rendering render_pyramids(const Scene& scene, const SceneTracer<Scalar>& tracer, const PyramidOptions& options,
+template <class AnyTracer>
+Rendering render_pyramids(const Scene& scene, const AnyTracer& tracer, const PyramidOptions& options,
                           const Progress& progress) {
   const Screen& screen = scene.camera.screen;
   const int bands = (screen.rows + band_rows - 1) / band_rows;
-  Frame<Scalar> frame{.tracer = tracer,
-                      .options = options,
-                      .palette = Palette(scene),
-                      .view_vectors = ViewVectors<Scalar>(screen, std::int64_t{1} << options.max_level),
-                      .columns = screen.columns,
-                      .rows = screen.rows,
-                      .image = Image(screen.columns, screen.rows),
-                      .seams = std::vector<Seam>(static_cast<std::size_t>(bands) + 1),
-                      .totals = {},
-                      .statistics = {}};
-  run_tasks<BandWorker<Scalar>>(bands, thread_count(options.threads), progress, frame);
+  Frame<AnyTracer> frame{
+      .tracer = tracer,
+      .options = options,
+      .palette = Palette(scene),
+      .view_vectors = ViewVectors(screen, std::int64_t{1} << options.max_level, options.view_vectors),
+      .columns = screen.columns,
+      .rows = screen.rows,
+      .image = Image(screen.columns, screen.rows),
+      .seams = std::vector<Seam>(static_cast<std::size_t>(bands) + 1),
+      .totals = {},
+      .statistics = {}};
+  run_tasks<BandWorker<AnyTracer>>(bands, thread_count(options.threads), progress, frame);
   return {std::move(frame.image), frame.statistics};
 }
 
-template Rendering render_pyramids<double>(const Scene&, const SceneTracer<double>&, const PyramidOptions&,
-                                           const Progress&);
-template Rendering render_pyramids<float>(const Scene&, const SceneTracer<float>&, const PyramidOptions&,
-                                          const Progress&);
+template Rendering render_pyramids(const Scene&, const SceneTracer<double>&, const PyramidOptions&, const Progress&);
+template Rendering render_pyramids(const Scene&, const Tracer&, const PyramidOptions&, const Progress&);
 
 }  // namespace pyrasim

@@ -21,7 +21,8 @@ struct PyramidOptions {
   int max_level = 3;  ///< 0 to max_level_limit
   Leaf leaf = Leaf::mean;
   Reuse reuse = Reuse::none;
-  int threads = 0;  ///< 0: one for each core. Results do not depend on it
+  int threads = 0;            ///< 0: one for each core. Results do not depend on it
+  NumberFormat view_vectors = {};  ///< the format of view vectors
 };
 
 struct Rendering {
@@ -29,14 +30,14 @@ struct Rendering {
   FrameStatistics statistics;
 };
 
-/// Renders the scene on its camera's screen. Requires addressable(columns, rows, max_level).
-template <class Scalar>
-Rendering render_pyramids(const Scene& scene, const SceneTracer<Scalar>& tracer, const PyramidOptions& options,
+/// Renders the scene on its camera's screen. Requires addressable(columns, rows, max_level). AnyTracer: Tracer, or
+/// SceneTracer<double> for speed.
+template <class AnyTracer>
+Rendering render_pyramids(const Scene& scene, const AnyTracer& tracer, const PyramidOptions& options,
                           const Progress& progress = {});
 
-extern template Rendering render_pyramids<double>(const Scene&, const SceneTracer<double>&, const PyramidOptions&,
-                                                  const Progress&);
-extern template Rendering render_pyramids<float>(const Scene&, const SceneTracer<float>&, const PyramidOptions&,
-                                                 const Progress&);
+extern template Rendering render_pyramids(const Scene&, const SceneTracer<double>&, const PyramidOptions&,
+                                          const Progress&);
+extern template Rendering render_pyramids(const Scene&, const Tracer&, const PyramidOptions&, const Progress&);
 
 }  // namespace pyrasim

@@ -3,6 +3,8 @@
 
 #include <mutex>
 
+#include "render/trace_point.h"
+
 namespace pyrasim {
 namespace {
 
@@ -17,27 +19,29 @@ std::uint32_t random_bits(std::uint64_t seed, std::uint64_t counter) {
   return static_cast<std::uint32_t>((z ^ (z >> 31U)) >> 48U);
 }
 
-template <class Scalar>
+template <class AnyTracer>
 struct SamplingFrame {
-  const SceneTracer<Scalar>& tracer;
+  const AnyTracer& tracer;
   const SamplingOptions& options;
   Palette palette;
   std::uint32_t cell_steps;  ///< grid steps along a cell's side
-  ViewVectors<Scalar> view_vectors;
+  ViewVectors view_vectors;
   Image image;
   std::mutex totals;
   Work work;
+  DatapathEvents arithmetic;
 };
 
-template <class Scalar>
+template <class AnyTracer>
 class RowWorker {
  public:
-  explicit RowWorker(SamplingFrame<Scalar>& frame) : frame_(frame) {}
+  explicit RowWorker(SamplingFrame<AnyTracer>& frame) : frame_(frame) {}
   RowWorker(const RowWorker&) = delete;
   RowWorker& operator=(const RowWorker&) = delete;
   ~RowWorker() {
     const std::scoped_lock lock(frame_.totals);
     frame_.work += work_;
+    frame_.arithmetic += arithmetic_;
   }
 
   void operator()(int row) {
@@ -53,7 +57,8 @@ class RowWorker {
     for (std::uint32_t i = 0; i < grid; ++i) {
       for (std::uint32_t j = 0; j < grid; ++j) {
         const GridPoint point = sample_point(row * grid + i, column * grid + j);
-        const FixedColor color = frame_.palette.sample_color(frame_.tracer.trace(frame_.view_vectors(point), work_));
+        const Sample sample = trace_point(frame_.tracer, frame_.view_vectors, point, work_, arithmetic_);
+        const FixedColor color = frame_.palette.sample_color(sample);
         for (std::size_t k = 0; k < 3; ++k) sum[k] += std::ldexp(static_cast<double>(color[k]), -fixed_color_bits);
       }
     }
@@ -71,38 +76,39 @@ class RowWorker {
     return {cell_row * steps + (bits & (steps - 1)), cell_column * steps + (bits >> 8U)};
   }
 
-  SamplingFrame<Scalar>& frame_;
+  SamplingFrame<AnyTracer>& frame_;
   Work work_;
+  DatapathEvents arithmetic_;
 };
 
 }  // namespace
 
-template <class Scalar>
-Rendering render_samples(const Scene& scene, const SceneTracer<Scalar>& tracer, const SamplingOptions& options,
+template <class AnyTracer>
+Rendering render_samples(const Scene& scene, const AnyTracer& tracer, const SamplingOptions& options,
                          const Progress& progress) {
   const Screen& screen = scene.camera.screen;
   const std::uint32_t cell_steps = options.jitter ? jitter_steps : 2;
-  SamplingFrame<Scalar> frame{
+  SamplingFrame<AnyTracer> frame{
       .tracer = tracer,
       .options = options,
       .palette = Palette(scene),
       .cell_steps = cell_steps,
-      .view_vectors = ViewVectors<Scalar>(screen, static_cast<std::int64_t>(options.grid) * cell_steps),
+      .view_vectors = ViewVectors(screen, static_cast<std::int64_t>(options.grid) * cell_steps, options.view_vectors),
       .image = Image(screen.columns, screen.rows),
       .totals = {},
-      .work = {}};
-  run_tasks<RowWorker<Scalar>>(screen.rows, thread_count(options.threads), progress, frame);
+      .work = {},
+      .arithmetic = {}};
+  run_tasks<RowWorker<AnyTracer>>(screen.rows, thread_count(options.threads), progress, frame);
   Rendering rendering{std::move(frame.image), {}};
   rendering.statistics.rays_by_level[0] =
       static_cast<std::uint64_t>(screen.rows) * static_cast<std::uint64_t>(screen.columns) *
       static_cast<std::uint64_t>(options.grid) * static_cast<std::uint64_t>(options.grid);
   rendering.statistics.work = frame.work;
+  rendering.statistics.arithmetic = frame.arithmetic;
   return rendering;
 }
 
-template Rendering render_samples<double>(const Scene&, const SceneTracer<double>&, const SamplingOptions&,
-                                          const Progress&);
-template Rendering render_samples<float>(const Scene&, const SceneTracer<float>&, const SamplingOptions&,
-                                         const Progress&);
+template Rendering render_samples(const Scene&, const SceneTracer<double>&, const SamplingOptions&, const Progress&);
+template Rendering render_samples(const Scene&, const Tracer&, const SamplingOptions&, const Progress&);
 
 }  // namespace pyrasim

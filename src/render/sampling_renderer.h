@@ -15,18 +15,18 @@ struct SamplingOptions {
   bool jitter = false;
   std::uint64_t seed = 1;
   int threads = 0;
+  NumberFormat view_vectors = {};  ///< the format of view vectors
 };
 
 inline constexpr int max_sampling_grid = 256;
 
 /// Renders by regular or jittered supersampling: a pixel is the plain mean of its samples. All rays count as primary.
-template <class Scalar>
-Rendering render_samples(const Scene& scene, const SceneTracer<Scalar>& tracer, const SamplingOptions& options,
+template <class AnyTracer>
+Rendering render_samples(const Scene& scene, const AnyTracer& tracer, const SamplingOptions& options,
                          const Progress& progress = {});
 
-extern template Rendering render_samples<double>(const Scene&, const SceneTracer<double>&, const SamplingOptions&,
-                                                 const Progress&);
-extern template Rendering render_samples<float>(const Scene&, const SceneTracer<float>&, const SamplingOptions&,
-                                                const Progress&);
+extern template Rendering render_samples(const Scene&, const SceneTracer<double>&, const SamplingOptions&,
+                                         const Progress&);
+extern template Rendering render_samples(const Scene&, const Tracer&, const SamplingOptions&, const Progress&);
 
 }  // namespace pyrasim

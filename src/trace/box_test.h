@@ -18,10 +18,11 @@ template <class Scalar>
 unsigned met_boxes(const SeenBoxes<Scalar>& boxes, const ViewRay<Scalar>& ray, Scalar depth_limit) {
   unsigned met = 0;
   for (std::size_t k = 0; k < node_width; ++k) {
-    const bool here = (boxes.depth[k] <= depth_limit) & (boxes.lower_y[k] <= ray.slope_y) &
-                      (boxes.upper_y[k] >= ray.slope_y) & (boxes.lower_z[k] <= ray.slope_z) &
-                      (boxes.upper_z[k] >= ray.slope_z);
-    met |= (here ? 1U : 0U) << k;
+    const auto holds = [](bool comparison) { return comparison ? 1U : 0U; };
+    met |= (holds(boxes.depth[k] <= depth_limit) & holds(boxes.lower_y[k] <= ray.slope_y) &
+            holds(boxes.upper_y[k] >= ray.slope_y) & holds(boxes.lower_z[k] <= ray.slope_z) &
+            holds(boxes.upper_z[k] >= ray.slope_z))
+           << k;
   }
   return met;
 }

@@ -12,9 +12,10 @@ constexpr std::int64_t least_rows_ahead = 4;
 
 }  // namespace
 
-CornersAhead::CornersAhead(const Datapath& datapath, const Screen& screen, std::uint32_t steps,
-                           std::size_t out_of_order)
-    : datapath_(datapath),
+CornersAhead::CornersAhead(const Tracer& tracer, const ViewVectors& view_vectors, const Screen& screen,
+                           std::uint32_t steps, std::size_t out_of_order)
+    : tracer_(tracer),
+      view_vectors_(view_vectors),
       steps_(steps),
       rows_(screen.rows + 1),
       overlap_(static_cast<std::int64_t>(out_of_order) / (screen.columns + 1) + 1),
@@ -48,7 +49,7 @@ void CornersAhead::trace_row(std::int64_t number) {
   GridPoint point{static_cast<std::uint32_t>(number) * steps_, 0};
   for (Corner& corner : row.corners) {
     Work work;
-    const Sample sample = datapath_.trace(datapath_.view_vector(point), work);
+    const Sample sample = tracer_.trace(view_vectors_(point), work);
     corner = {sample.shading, sample.object, static_cast<std::uint32_t>(work.box_tests), {}};
     for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
       corner.surface_tests[kind] = static_cast<std::uint32_t>(work.surface_tests[kind]);
@@ -65,7 +66,7 @@ Sample CornersAhead::trace(GridPoint point, const glm::dvec3& view_vector, Work&
     newest_.notify_one();
   }
   const Row& row = kept_[static_cast<std::size_t>(number) % kept_.size()];
-  if (row.number.load(std::memory_order_acquire) != number) return datapath_.trace(view_vector, work);
+  if (row.number.load(std::memory_order_acquire) != number) return tracer_.trace(view_vector, work);
   const Corner& corner = row.corners[point.column / steps_];
   work.box_tests += corner.box_tests;
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) work.surface_tests[kind] += corner.surface_tests[kind];

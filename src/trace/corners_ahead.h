@@ -8,18 +8,20 @@
 #include <thread>
 #include <vector>
 
-#include "trace/datapath.h"
+#include "trace/tracer.h"
+#include "trace/view_vector.h"
 
 namespace pyrasim {
 
 /// Traces the corners of the raster, row by row, on a thread of its own before somebody asks for them: which corners a
 /// frame needs is known from the start. Whoever asks for a corner that the thread has not come to traces it himself, so
-/// that a busy machine loses nothing. Results and work are those of Datapath::trace either way.
+/// that a busy machine loses nothing. Results and work are those of Tracer::trace either way.
 class CornersAhead {
  public:
   /// The thread starts at once. `out_of_order`: a corner is asked for at most so many corners after another one that
-  /// follows it in the raster. Corners are `steps` grid steps apart. `datapath` must outlive this.
-  CornersAhead(const Datapath& datapath, const Screen& screen, std::uint32_t steps, std::size_t out_of_order);
+  /// follows it in the raster. Corners are `steps` grid steps apart. `tracer` must outlive this.
+  CornersAhead(const Tracer& tracer, const ViewVectors& view_vectors, const Screen& screen, std::uint32_t steps,
+               std::size_t out_of_order);
   ~CornersAhead();
   CornersAhead(const CornersAhead&) = delete;
   CornersAhead& operator=(const CornersAhead&) = delete;
@@ -46,7 +48,8 @@ class CornersAhead {
   /// The row that the thread may not yet begin: it takes the place of one that may still be asked for.
   std::int64_t first_barred() const;
 
-  const Datapath& datapath_;
+  const Tracer& tracer_;
+  ViewVectors view_vectors_;
   std::uint32_t steps_;
   std::int64_t rows_;
   std::int64_t overlap_;                 ///< rows before the newest asked for that may still be asked for

@@ -11,16 +11,30 @@
 namespace pyrasim {
 namespace {
 
+/// 113 bits: a sum of products of doubles and what is left when such sums cancel come out exact to double's rounding.
+__extension__ using Quadruple = __float128;
+
+/// By what power of two the largest coordinate may exceed 1, so that products of three coordinates, which a triangle's
+/// depth takes, stay within the format. Fixed point so uses the bits that it has.
+int largest_exponent(const NumberFormat& format) {
+  constexpr int enough = 16;
+  const int limit = format.kind == NumberKind::fixed ? format.bits - 1 - format.fraction_bits
+                                                     : 1 << (static_cast<unsigned>(format.exponent_bits) - 1);
+  return std::min((limit - 4) / 3, enough);
+}
+
+double largest_component(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
 /// Puts a scene's objects into a PreparedScene, in the order of the scene.
-template <class Scalar>
 class Preparation {
  public:
-  explicit Preparation(const Scene& scene) : frame_(scene.camera), screen_(scene.camera.screen), light_(scene.light) {
+  Preparation(const Scene& scene, const NumberFormat& format)
+      : frame_(scene.camera), screen_(scene.camera.screen), format_(format), light_(scene.light) {
     if (light_) {
       light_direction_ = normalized(frame_.direction(light_->direction));
       prepared_.lit = true;
-      prepared_.ambient = static_cast<Scalar>(light_->ambient);
-      prepared_.towards_light = to_scalar<Scalar>(-light_direction_);
+      prepared_.ambient = light_->ambient;
+      prepared_.towards_light = -light_direction_;
     }
     for (const Object& object : scene.objects) {
       std::visit([this](const auto& surface) { this->add(surface); }, object.surface);
@@ -28,8 +42,9 @@ class Preparation {
     }
   }
 
-  PreparedScene<Scalar> take() {
-    build_wide_hierarchy(prepared_, screen_);
+  PreparedScene<double> take() {
+    scale();
+    build_wide_hierarchy(prepared_, screen_, format_);
     return std::move(prepared_);
   }
 
@@ -38,19 +53,35 @@ class Preparation {
 
   void add(const Sphere& sphere) {
     const glm::dvec3 center = frame_.point(sphere.center);
-    // The origin's power as a product of sum and difference does not cancel, and is rounded to the format once.
-    const long double distance = std::hypot(std::hypot(static_cast<long double>(center.x), center.y), center.z);
-    const long double power = (distance - sphere.radius) * (distance + sphere.radius);
-    prepared_.spheres.push_back({to_scalar<Scalar>(center), static_cast<Scalar>(sphere.radius * sphere.radius),
-                                 static_cast<Scalar>(power), static_cast<Scalar>(1 / sphere.radius), next_identity()});
+    prepared_.spheres.push_back(
+        {center, sphere.radius * sphere.radius, power(sphere), 1 / sphere.radius, next_identity()});
+    include(largest_component(center) + sphere.radius);
   }
 
+  /// The power of the observer's place, |centre - place|^2 - radius^2. It cancels just above a sphere, by a factor of
+  /// 2 height / radius; exact to double's rounding down to heights of 2^-60 radii. What is less than the rounding of
+  /// the coordinates given is on the surface.
+  double power(const Sphere& sphere) const {
+    Quadruple power = -static_cast<Quadruple>(sphere.radius) * sphere.radius;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Quadruple away = static_cast<Quadruple>(sphere.center[axis]) - frame_.position()[axis];
+      power += away * away;
+    }
+    const double reach = sphere.radius + largest_component(sphere.center) + largest_component(frame_.position());
+    const double rounding = 4 * epsilon<double>() * sphere.radius * reach;
+    return std::abs(static_cast<double>(power)) > rounding ? static_cast<double>(power) : 0;
+  }
+
+  /// The offset from the observer's place cancels where that is near the plane and far from the world's origin.
   void add(const Plane& plane) {
     const glm::dvec3 unit = normalized(plane.normal);
-    const double length = dot(unit, plane.normal);
-    const double offset = plane.offset / length - dot(unit, frame_.position());
-    const FlatShading<Scalar> shading = flat_shading(frame_.direction(unit));
-    prepared_.planes.push_back({static_cast<Scalar>(offset), next_identity(), shading});
+    Quadruple offset = plane.offset;
+    for (int axis = 0; axis < 3; ++axis) {
+      offset -= static_cast<Quadruple>(plane.normal[axis]) * frame_.position()[axis];
+    }
+    const double distance = static_cast<double>(offset) / dot(unit, plane.normal);
+    prepared_.planes.push_back({distance, next_identity(), flat_shading(frame_.direction(unit))});
+    include(std::abs(distance));
   }
 
   void add(const Triangle& triangle) {
@@ -66,42 +97,57 @@ class Preparation {
   }
 
   void add_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    TriangleSurface<Scalar> triangle{{}, next_identity()};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector<Scalar> vertex = to_scalar<Scalar>(k == 0 ? a : k == 1 ? b : c);
-      triangle.vertices[k] = {vertex.x, vertex.y, vertex.z};
-    }
-    prepared_.triangles.push_back(triangle);
+    prepared_.triangles.push_back({{{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}}, next_identity()});
     prepared_.triangle_shading.push_back(flat_shading(normalized(cross(normalized(b - a), normalized(c - a)))));
+    for (const glm::dvec3& vertex : {a, b, c}) include(largest_component(vertex));
   }
 
   /// Lambert's cosine law on either side of a flat surface: ambient + (1 - ambient) max(0, -n . l).
-  FlatShading<Scalar> flat_shading(const glm::dvec3& normal) const {
-    if (!light_) return {to_scalar<Scalar>(normal), Scalar(1), Scalar(1)};
+  FlatShading<double> flat_shading(const glm::dvec3& normal) const {
+    if (!light_) return {normal, 1, 1};
     const double cosine = -dot(normal, light_direction_);
-    const auto shading = [this](double c) {
-      return static_cast<Scalar>(light_->ambient + (1 - light_->ambient) * std::max(c, 0.0));
-    };
-    return {to_scalar<Scalar>(normal), shading(cosine), shading(-cosine)};
+    const auto shading = [this](double c) { return light_->ambient + (1 - light_->ambient) * std::max(c, 0.0); };
+    return {normal, shading(cosine), shading(-cosine)};
+  }
+
+  void include(double coordinate) { largest_ = std::max(largest_, coordinate); }
+
+  /// Multiplies all lengths by the power of two that brings the largest to the exponent that suits the format: a scene
+  /// 2^k times as large is the same to the datapath, bit for bit, and its squares neither over- nor underflow.
+  void scale() {
+    if (!(largest_ > 0)) return;
+    const int exponent = largest_exponent(format_) - std::ilogb(largest_);
+    const auto scaled = [exponent](double length) { return std::ldexp(length, exponent); };
+    for (auto& sphere : prepared_.spheres) {
+      sphere.center = {scaled(sphere.center.x), scaled(sphere.center.y), scaled(sphere.center.z)};
+      sphere.radius_squared = std::ldexp(sphere.radius_squared, 2 * exponent);
+      sphere.power = std::ldexp(sphere.power, 2 * exponent);
+      sphere.inverse_radius = std::ldexp(sphere.inverse_radius, -exponent);
+    }
+    for (auto& plane : prepared_.planes) plane.offset = scaled(plane.offset);
+    for (auto& triangle : prepared_.triangles) {
+      for (auto& vertex : triangle.vertices) {
+        for (double& coordinate : vertex) coordinate = scaled(coordinate);
+      }
+    }
+    prepared_.exponent = exponent;
   }
 
   ObserverFrame frame_;
   Screen screen_;
+  NumberFormat format_;
   std::optional<Light> light_;
   glm::dvec3 light_direction_{0, 0, 0};
   std::uint32_t object_ = 0;
   std::uint32_t order_ = 0;
-  PreparedScene<Scalar> prepared_;
+  double largest_ = 0;  ///< coordinate in observer's coordinates
+  PreparedScene<double> prepared_;
 };
 
 }  // namespace
 
-template <class Scalar>
-PreparedScene<Scalar> prepare_scene(const Scene& scene) {
-  return Preparation<Scalar>(scene).take();
+PreparedScene<double> prepare_scene(const Scene& scene, const NumberFormat& format) {
+  return Preparation(scene, format).take();
 }
-
-template PreparedScene<double> prepare_scene<double>(const Scene& scene);
-template PreparedScene<float> prepare_scene<float>(const Scene& scene);
 
 }  // namespace pyrasim

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "numeric/number_format.h"
 #include "scene/scene.h"
 #include "trace/bounding_box.h"
 #include "trace/surface.h"
@@ -24,16 +25,17 @@ struct SeenBoxes {
   Bound lower_y, upper_y, lower_z, upper_z;
 
   void set(std::size_t k, const BoundingBox& box) {
-    depth[k] = static_cast<Scalar>(box.lower.x);
-    lower_y[k] = static_cast<Scalar>(box.lower.y);
-    upper_y[k] = static_cast<Scalar>(box.upper.y);
-    lower_z[k] = static_cast<Scalar>(box.lower.z);
-    upper_z[k] = static_cast<Scalar>(box.upper.z);
+    depth[k] = box.lower.x;
+    lower_y[k] = box.lower.y;
+    upper_y[k] = box.upper.y;
+    lower_z[k] = box.lower.z;
+    upper_z[k] = box.upper.z;
   }
 };
 
-/// A scene made ready for a datapath of one number format: in observer's coordinates, rounded once to `Scalar`, with a
-/// bounding volume hierarchy over its bounded surfaces. Planes have no bounds and stand apart.
+/// A scene made ready for a datapath of one number format: in observer's coordinates, multiplied by a power of two that
+/// suits the format, and rounded once to `Scalar`; with a bounding volume hierarchy over its bounded surfaces. Planes
+/// have no bounds and stand apart.
 template <class Scalar>
 struct PreparedScene {
   /// An inner node of two to four children, the nearest first.
@@ -57,12 +59,10 @@ struct PreparedScene {
   bool lit = false;  ///< without a light, colours are emitted as they are
   Scalar ambient{1};
   Vector<Scalar> towards_light{0, 0, 0};  ///< of length 1
+  int exponent = 0;                       ///< lengths are the scene's times 2^exponent
 };
 
-template <class Scalar>
-PreparedScene<Scalar> prepare_scene(const Scene& scene);
-
-extern template PreparedScene<double> prepare_scene<double>(const Scene& scene);
-extern template PreparedScene<float> prepare_scene<float>(const Scene& scene);
+/// The scene for a datapath of `format`, not yet rounded to it.
+PreparedScene<double> prepare_scene(const Scene& scene, const NumberFormat& format);
 
 }  // namespace pyrasim

@@ -1,28 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traces view rays: the nearest surface over planes and a bounding volume hierarchy, and its shading.
 #pragma once
 
-#include <cstdint>
-
-#include "pyramid/sample.h"
+#include "numeric/number_types.h"
 #include "trace/prepared_scene.h"
+#include "trace/rounded_scene.h"
+#include "trace/tracer.h"
+#include "trace/walk.h"
 
 namespace pyrasim {
 
-/// Traces the view rays of one scene through a datapath of one number format.
+/// Traces the view rays of one scene in the number format that `Scalar` computes in.
 template <class Scalar>
-class SceneTracer {
+class SceneTracer final : public Tracer {
  public:
-  explicit SceneTracer(const Scene& scene) : scene_(prepare_scene<Scalar>(scene)) {}
+  explicit SceneTracer(const Scene& scene) : scene_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {}
 
-  /// The nearest hit of the ray from the observer along `view_vector`, decision D7. Adds the tests made to `work`.
-  Sample trace(const Vector<Scalar>& view_vector, Work& work) const;
-
+  Sample trace(const glm::dvec3& view_vector, Work& work) const override;
+  SceneContents contents() const override {
+    return {{scene_.spheres.size(), scene_.planes.size(), scene_.triangles.size()}, scene_.nodes.size()};
+  }
   const PreparedScene<Scalar>& scene() const { return scene_; }
 
  private:
   PreparedScene<Scalar> scene_;
 };
+
+template <class Scalar>
+Sample SceneTracer<Scalar>::trace(const glm::dvec3& view_vector, Work& work) const {
+  const auto direction = to_scalar<Scalar>(view_vector);
+  Walk<Scalar> walk(scene_, direction, work);
+  walk.test_planes();
+  // Boxes are bounds of slopes: of use to rays that run forward, as all rays through a screen do.
+  const bool forward = direction.x >= std::numeric_limits<Scalar>::min();
+  walk.traverse(forward ? scene_.root : scene_.everything);
+  return walk.shade();
+}
 
 extern template class SceneTracer<double>;
 extern template class SceneTracer<float>;

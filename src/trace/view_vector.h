@@ -3,8 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 
-#include "numeric/scalar.h"
+#include "numeric/round_to_format.h"
 #include "scene/scene.h"
 
 namespace pyrasim {
@@ -17,36 +18,40 @@ struct GridPoint {
   friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
-/// Maps grid points of one screen to view vectors in observer's coordinates. They are not normalised: the screen is at
-/// ray parameter t = 1.
+/// Maps grid points of one screen to view vectors in observer's coordinates, in units of dx: the screen is at depth 1,
+/// and what a ray's parameter t counts is depth. So the scene's scale does not enter, and the other components are the
+/// ray's slopes.
 ///
-/// Formula (2), v = v_h + (mu + i d_L) v_mu + (nu + j d_L) v_nu, with (4) and (5) put in, is per component an integer
-/// times a constant: y = (N_y steps / 2 - row) dy / steps. The integer is exact, so that a component costs one rounding
-/// of the constant, one of the integer where it exceeds the format, and one multiplication.
-template <class Scalar>
+/// Formula (2), v = v_h + (mu + i d_L) v_mu + (nu + j d_L) v_nu, with (4) and (5) put in and divided by dx, is per
+/// component an integer times a constant: y = (N_y steps / 2 - row) dy / (dx steps). The integer has 33 bits at most
+/// and is exact. The constant is held in double and the product rounded once to the format, so that a component errs by
+/// half a unit of its last place and by the rounding of dy / dx in double, 2^-53 of it, which is the same for all rays.
 class ViewVectors {
  public:
   /// `steps`: grid steps along a pixel's side, 2^MAX_LEVEL = 1 / d_MAX of formula (3) for pyramids.
-  ViewVectors(const Screen& screen, std::int64_t steps)
-      : dx_(static_cast<Scalar>(screen.dx)),
-        half_step_y_(static_cast<Scalar>(screen.dy / static_cast<double>(2 * steps))),
-        half_step_z_(static_cast<Scalar>(screen.dz / static_cast<double>(2 * steps))),
+  ViewVectors(const Screen& screen, std::int64_t steps, const NumberFormat& format = {})
+      : half_step_y_(screen.dy / screen.dx / static_cast<double>(2 * steps)),
+        half_step_z_(screen.dz / screen.dx / static_cast<double>(2 * steps)),
         rows_(screen.rows * steps),
-        columns_(screen.columns * steps) {}
+        columns_(screen.columns * steps),
+        round_(rounding_to(format)) {}
 
-  /// The view vector through `point`: formula (2).
-  Vector<Scalar> operator()(GridPoint point) const {
+  /// The view vector through `point`: formula (2). Its components are values of the format, held in double.
+  glm::dvec3 operator()(GridPoint point) const {
     const std::int64_t up = rows_ - 2 * static_cast<std::int64_t>(point.row);
     const std::int64_t right = 2 * static_cast<std::int64_t>(point.column) - columns_;
-    return {dx_, static_cast<Scalar>(up) * half_step_y_, static_cast<Scalar>(right) * half_step_z_};
+    const double y = static_cast<double>(up) * half_step_y_;
+    const double z = static_cast<double>(right) * half_step_z_;
+    if (round_ == nullptr) return {1, y, z};
+    return {1, round_(y), round_(z)};
   }
 
  private:
-  Scalar dx_;
-  Scalar half_step_y_;  ///< dy d_MAX / 2
-  Scalar half_step_z_;
+  double half_step_y_;  ///< dy d_MAX / (2 dx)
+  double half_step_z_;
   std::int64_t rows_;  ///< N_y in grid steps
   std::int64_t columns_;
+  RoundToFormat round_;  ///< none: the format is double
 };
 
 }  // namespace pyrasim

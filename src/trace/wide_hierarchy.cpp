@@ -12,27 +12,48 @@ namespace {
 
 /// Roundings of the largest coordinate by which bounds are grown. The tests of boxes and surfaces err by a few each;
 /// with the margin a ray that a surface counts as hit never misses the box around it, so that results do not depend on
-/// the hierarchy.
+/// the hierarchy. There is an exception: where products of coordinates fall below the smallest number of a narrow
+/// format, a test has nothing left to decide by, and a triangle may count as hit by rays far from it; whether it is
+/// asked then depends on the boxes.
 constexpr double margin_roundings = 32;
 
-template <class Scalar>
-double margin(double largest_coordinate) {
-  return largest_coordinate * static_cast<double>(epsilon<Scalar>()) * margin_roundings;
-}
+/// How far from a surface a ray may run that the datapath counts as a hit.
+class Margin {
+ public:
+  Margin(const NumberFormat& format, const Screen& screen) {
+    if (format.kind == NumberKind::fixed) {
+      // Errors are absolute there; the longest view vector multiplies them twice.
+      const double half_y = screen.rows * screen.dy / (2 * screen.dx);
+      const double half_z = screen.columns * screen.dz / (2 * screen.dx);
+      const double resolution = std::ldexp(1.0, -format.fraction_bits);
+      relative_ = absolute_ = margin_roundings * resolution * (1 + half_y * half_y + half_z * half_z);
+      absolute_ += square_root_margin * std::sqrt(resolution);
+    } else {
+      const int smallest_exponent = 2 - (1 << (static_cast<unsigned>(format.exponent_bits) - 1));
+      relative_ = std::ldexp(margin_roundings, 1 - format.significand_bits);
+      absolute_ = square_root_margin * std::sqrt(std::ldexp(1.0, smallest_exponent + 1 - format.significand_bits));
+    }
+  }
+
+  double of(double largest_coordinate) const { return relative_ * largest_coordinate + absolute_; }
+
+ private:
+  /// A squared distance is lost with the smallest number; a distance, with its root.
+  static constexpr double square_root_margin = 2;
+  double relative_;
+  double absolute_;
+};
 
 double largest_coordinate(const glm::dvec3& point) {
   return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
 }
 
-template <class Scalar>
-BoundingBox bounds_of(const SphereSurface<Scalar>& sphere) {
-  const double radius = 1 / static_cast<double>(sphere.inverse_radius);
-  const glm::dvec3 center(sphere.center);
-  return seen_sphere(center, radius, margin<Scalar>(largest_coordinate(center) + radius));
+BoundingBox bounds_of(const SphereSurface<double>& sphere, const Margin& margin) {
+  const double radius = 1 / sphere.inverse_radius;
+  return seen_sphere(sphere.center, radius, margin.of(largest_coordinate(sphere.center) + radius));
 }
 
-template <class Scalar>
-BoundingBox bounds_of(const TriangleSurface<Scalar>& triangle) {
+BoundingBox bounds_of(const TriangleSurface<double>& triangle, const Margin& margin) {
   std::array<glm::dvec3, 3> vertices;
   double largest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -40,16 +61,15 @@ BoundingBox bounds_of(const TriangleSurface<Scalar>& triangle) {
     vertices[k] = glm::dvec3(x, y, z);
     largest = std::max(largest, largest_coordinate(vertices[k]));
   }
-  return seen_triangle(vertices, margin<Scalar>(largest));
+  return seen_triangle(vertices, margin.of(largest));
 }
 
 /// Nodes of up to node_width children out of a binary hierarchy.
-template <class Scalar>
 class Widening {
  public:
-  Widening(PreparedScene<Scalar>& scene, const Screen& screen) : scene_(scene) {
-    for (const auto& sphere : scene.spheres) bounds_.push_back(bounds_of(sphere));
-    for (const auto& triangle : scene.triangles) bounds_.push_back(bounds_of(triangle));
+  Widening(PreparedScene<double>& scene, const Screen& screen, const Margin& margin) : scene_(scene) {
+    for (const auto& sphere : scene.spheres) bounds_.push_back(bounds_of(sphere, margin));
+    for (const auto& triangle : scene.triangles) bounds_.push_back(bounds_of(triangle, margin));
     std::vector<BoundingBox> visible;
     visible.reserve(bounds_.size());
     for (const BoundingBox& bounds : bounds_) visible.push_back(on_screen(bounds, screen));
@@ -67,8 +87,8 @@ class Widening {
   }
 
  private:
-  using Node = typename PreparedScene<Scalar>::Node;
-  using Leaf = typename PreparedScene<Scalar>::Leaf;
+  using Node = PreparedScene<double>::Node;
+  using Leaf = PreparedScene<double>::Leaf;
 
   struct Converted {
     BoundingBox bounds;          ///< of all surfaces in it, those off the screen too
@@ -141,22 +161,18 @@ class Widening {
     return ~static_cast<std::int32_t>(scene_.leaves.size() - 1);
   }
 
-  PreparedScene<Scalar>& scene_;
+  PreparedScene<double>& scene_;
   std::vector<BoundingBox> bounds_;  // in seen coordinates; spheres, then triangles, as the hierarchy's references
   Hierarchy hierarchy_;
-  std::vector<SphereSurface<Scalar>> spheres_;  // in the order of the scene
-  std::vector<TriangleSurface<Scalar>> triangles_;
-  std::vector<FlatShading<Scalar>> shading_;
+  std::vector<SphereSurface<double>> spheres_;  // in the order of the scene
+  std::vector<TriangleSurface<double>> triangles_;
+  std::vector<FlatShading<double>> shading_;
 };
 
 }  // namespace
 
-template <class Scalar>
-void build_wide_hierarchy(PreparedScene<Scalar>& scene, const Screen& screen) {
-  Widening<Scalar>(scene, screen).build();
+void build_wide_hierarchy(PreparedScene<double>& scene, const Screen& screen, const NumberFormat& format) {
+  Widening(scene, screen, Margin(format, screen)).build();
 }
-
-template void build_wide_hierarchy<double>(PreparedScene<double>&, const Screen&);
-template void build_wide_hierarchy<float>(PreparedScene<float>&, const Screen&);
 
 }  // namespace pyrasim

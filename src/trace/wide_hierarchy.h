@@ -6,11 +6,8 @@
 namespace pyrasim {
 
 /// Builds the hierarchy over the bounded surfaces of `scene`, which stand in the order of the scene file, for rays
-/// through `screen`. Surfaces end up in the order of the leaves, each leaf's of one kind side by side.
-template <class Scalar>
-void build_wide_hierarchy(PreparedScene<Scalar>& scene, const Screen& screen);
-
-extern template void build_wide_hierarchy<double>(PreparedScene<double>&, const Screen&);
-extern template void build_wide_hierarchy<float>(PreparedScene<float>&, const Screen&);
+/// through `screen` and a datapath of `format`. Surfaces end up in the order of the leaves, each leaf's of one kind
+/// side by side.
+void build_wide_hierarchy(PreparedScene<double>& scene, const Screen& screen, const NumberFormat& format);
 
 }  // namespace pyrasim

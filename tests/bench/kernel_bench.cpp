@@ -21,7 +21,7 @@ template <class Scalar>
 void trace(benchmark::State& state, const char* name) {
   const Scene scene = shipped(name);
   const SceneTracer<Scalar> tracer(scene);
-  const ViewVectors<Scalar> view_vectors(scene.camera.screen, 1);
+  const ViewVectors view_vectors(scene.camera.screen, 1, FormatOf<Scalar>::value);
   Work work;
   GridPoint point;
   for (auto _ : state) {
@@ -51,7 +51,7 @@ void frame(benchmark::State& state, const char* name) {
 /// From the loaded scene to one that is ready to be traced: the hierarchy, mostly.
 void prepare(benchmark::State& state, const char* name) {
   const Scene scene = shipped(name);
-  for (auto _ : state) benchmark::DoNotOptimize(prepare_scene<double>(scene).root);
+  for (auto _ : state) benchmark::DoNotOptimize(prepare_scene(scene, {}).root);
 }
 
 constexpr std::size_t operands = 1024;

@@ -115,7 +115,7 @@ int run(const std::string& file, int max_level, int rounds, const std::string& s
   sc_core::sc_start();
 
   const double loop_begun = seconds_now();
-  const hw::Timeline timeline = hw::run_cycle_loop(scene, spec, max_level, ScalarFormat::double_precision);
+  const hw::Timeline timeline = hw::run_cycle_loop(scene, spec, max_level);
   keep_fastest(times.cycle_loop, seconds_now() - loop_begun);
   if (timeline.cycles != processors.front()->cycles()) std::cerr << "the cycle loop disagrees\n";
 

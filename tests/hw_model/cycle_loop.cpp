@@ -11,6 +11,8 @@
 
 #include "hw_model/message.h"
 #include "pyramid/classifier.h"
+#include "trace/tracer.h"
+#include "trace/view_vector.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -70,7 +72,8 @@ struct Board {
   MachineSpec spec;
   Screen screen;
   int max_level;
-  std::unique_ptr<Datapath> datapath;
+  ViewVectors view_vectors;
+  std::unique_ptr<Tracer> tracer;
   bool has_controller;
   bool has_reorder_buffer = spec.dispatch == Dispatch::first_free && spec.intersection_units > 1;
 
@@ -157,12 +160,12 @@ struct ViewVectorGenerator final : Box {
     if (point == 0) family = board.requests.read(now).pyramid;
     const GridPoint at = subdivision_point(family, point, board.max_level);
     point = (point + 1) % subdivision_rays;
-    return {board.datapath->view_vector(at), at, {}, true};
+    return {board.view_vectors(at), at, {}, true};
   }
 
   RayMessage corner_ray(Cycle now) {
     const CornerRequest corner = board.corners.read(now);
-    return {board.datapath->view_vector(corner.point), corner.point, corner.tag, false};
+    return {board.view_vectors(corner.point), corner.point, corner.tag, false};
   }
 };
 
@@ -174,7 +177,7 @@ struct IntersectionUnit final : Box {
     if (!board.rays[number].readable(now) || !board.samples[number].has_room()) return 0;
     const RayMessage ray = board.rays[number].read(now);
     Work work;
-    const Sample sample = board.datapath->trace(ray.view_vector, work);
+    const Sample sample = board.tracer->trace(ray.view_vector, work);
     const IntersectionCost& cost = board.spec.intersection_cost;
     Cycle busy = cost.ray + cost.box_test * work.box_tests;
     for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
@@ -381,9 +384,13 @@ bool at_rest(const Board& board, const std::map<std::string, AnyFifo*>& fifos) {
 
 }  // namespace
 
-Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_level, ScalarFormat scalar) {
+Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_level, const DatapathFormats& formats) {
   constexpr Cycle patience = 1'000'000;  // more than any firing takes
-  Board board{spec, scene.camera.screen, max_level, make_datapath(scene, std::int64_t{1} << max_level, scalar),
+  Board board{spec,
+              scene.camera.screen,
+              max_level,
+              ViewVectors(scene.camera.screen, std::int64_t{1} << max_level, formats.view_vectors),
+              make_tracer(scene, formats.intersection),
               max_level > 0 && !scene.objects.empty()};
   for (std::uint32_t slot = 0; slot < spec.pixels_in_flight; ++slot) board.slots.preload({slot});
   PixelScan scan(board);

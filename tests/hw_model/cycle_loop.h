@@ -9,7 +9,7 @@
 
 #include "hw_model/machine_spec.h"
 #include "scene/scene.h"
-#include "trace/datapath.h"
+#include "trace/datapath_formats.h"
 
 namespace pyrasim::hw {
 
@@ -28,6 +28,6 @@ struct Timeline {
 
 /// One frame on one machine, which must hold the frame's trees. Throws std::logic_error where it stands still.
 Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_level,
-                        ScalarFormat scalar = ScalarFormat::double_precision);
+                        const DatapathFormats& formats = {});
 
 }  // namespace pyrasim::hw

@@ -186,7 +186,8 @@ Case random_case(std::mt19937_64& random) {
   const int objects = random() % 8 == 0 ? 0 : 10;
   result.scene = random_scene(random(), {objects, objects, random() % 4 == 0 ? 1 : 0}, columns, rows);
   result.options.max_level = static_cast<int>(random() % 6);
-  result.options.scalar = random() % 4 == 0 ? ScalarFormat::single_precision : ScalarFormat::double_precision;
+  if (random() % 4 == 0) result.options.formats.intersection = FormatOf<float>::value;
+  if (random() % 4 == 0) result.options.formats.view_vectors = FormatOf<Tf32>::value;
   result.spec = random_machine(random, result.options.max_level);
   return result;
 }
@@ -209,7 +210,7 @@ TEST_P(CycleLoopAndProcessor, AgreeInEveryDateOfEveryFifo) {
   for (std::size_t k = 0; k < cases.size(); ++k) {
     SCOPED_TRACE("seed " + std::to_string(GetParam()) + ", machine " + std::to_string(k));
     const Case& its = cases[k];
-    const Timeline loop = run_cycle_loop(its.scene, its.spec, its.options.max_level, its.options.scalar);
+    const Timeline loop = run_cycle_loop(its.scene, its.spec, its.options.max_level, its.options.formats);
     EXPECT_EQ(FirstDifference(loop, decoupled[k].timeline()).text(), "") << "cycle loop against decoupled";
     EXPECT_EQ(FirstDifference(loop, lockstep[k].timeline()).text(), "") << "cycle loop against lockstep";
   }

@@ -33,7 +33,8 @@ TEST_P(RandomMachines, EnginesAgreeInEveryAccount) {
     SimulationOptions options;
     options.max_level = static_cast<int>(random() % 6);
     options.leaf = random() % 2 == 0 ? Leaf::mean : Leaf::drop;
-    options.scalar = random() % 4 == 0 ? ScalarFormat::single_precision : ScalarFormat::double_precision;
+    if (random() % 4 == 0) options.formats.intersection = FormatOf<float>::value;
+    if (random() % 4 == 0) options.formats.view_vectors = FormatOf<Tf32>::value;
     const MachineSpec spec = random_machine(random, options.max_level);
     Processor& decoupled = simulation.add(scene, spec, options);
     options.engine = Engine::lockstep;

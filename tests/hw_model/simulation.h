@@ -11,7 +11,7 @@
 
 #include "hw_model/processor.h"
 #include "hw_model/report/deadlock.h"
-#include "render/pyramid_renderer.h"
+#include "render/method.h"
 
 namespace pyrasim::hw {
 
@@ -53,11 +53,9 @@ inline MachineSpec with_all_fifos(MachineSpec spec, std::size_t depth) {
 
 /// What the reference renderer makes of the frame.
 inline Rendering reference(const Scene& scene, const SimulationOptions& simulation) {
-  const PyramidOptions options{.max_level = simulation.max_level, .leaf = simulation.leaf, .threads = 1};
-  if (simulation.scalar == ScalarFormat::single_precision) {
-    return render_pyramids(scene, SceneTracer<float>(scene), options);
-  }
-  return render_pyramids(scene, SceneTracer<double>(scene), options);
+  Method method;
+  method.pyramids = {.max_level = simulation.max_level, .leaf = simulation.leaf};
+  return render(scene, method, simulation.formats, 1);
 }
 inline Rendering reference(const Scene& scene, int max_level) {
   SimulationOptions simulation;

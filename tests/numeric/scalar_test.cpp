@@ -83,9 +83,9 @@ TEST(Scalar, EveryFormatServesTheKernels) {
 
 TEST(Scalar, ViewVectorsComeFromIntegerGridPoints) {
   const Screen screen{.columns = 4, .rows = 2, .dx = 1, .dy = 0.25, .dz = 0.25};
-  const ViewVectors<Fix<64, 20>> vectors(screen, 8);
-  EXPECT_EQ(glm::dvec3(vectors({0, 0})), glm::dvec3(1, 0.25, -0.5));
-  EXPECT_EQ(glm::dvec3(vectors({16, 31})), glm::dvec3(1, -0.25, 0.46875));
+  const ViewVectors vectors(screen, 8, FormatOf<Fix<64, 20>>::value);
+  EXPECT_EQ(vectors({0, 0}), glm::dvec3(1, 0.25, -0.5));
+  EXPECT_EQ(vectors({16, 31}), glm::dvec3(1, -0.25, 0.46875));
 }
 
 TEST(Scalar, FunctionsOfTheFormatsAreFoundByTheirArguments) {

@@ -161,7 +161,8 @@ TEST(PyramidRenderer, ClosedFormsAtEveryMaxLevel) {
 TEST(PyramidRenderer, SinglePrecisionIsClose) {
   const Scene scene = random_scene(24, {20, 20, 0}, 40, 30);
   const Rendering wide = render(scene, {});
-  const Rendering narrow = render_pyramids(scene, SceneTracer<float>(scene), {});
+  const Rendering narrow =
+      render_pyramids(scene, *make_tracer(scene, FormatOf<float>::value), {.view_vectors = FormatOf<float>::value});
   expect_closed_forms(scene, narrow.statistics);
   EXPECT_LT(image_error(narrow.image, wide.image).rmse, 1e-3);
 }

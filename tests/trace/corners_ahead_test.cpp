@@ -24,24 +24,25 @@ std::vector<std::size_t> nearly_in_order(std::size_t corners, std::size_t out_of
   return order;
 }
 
-TEST(CornersAhead, AreThoseOfTheDatapathInWhateverOrder) {
+TEST(CornersAhead, AreThoseOfTheTracerInWhateverOrder) {
   std::mt19937_64 random(1);
   for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 300}, {300, 1}, {33, 41}, {5000, 6}}) {
     for (const std::size_t out_of_order : {0, 1, 7, 200}) {
       const Scene scene = random_scene(3, {20, 20, 1}, columns, rows);
       constexpr std::uint32_t steps = 8;
-      const auto datapath = make_datapath(scene, steps);
-      CornersAhead ahead(*datapath, scene.camera.screen, steps, out_of_order);
+      const auto tracer = make_tracer(scene);
+      const ViewVectors view_vectors(scene.camera.screen, steps);
+      CornersAhead ahead(*tracer, view_vectors, scene.camera.screen, steps, out_of_order);
       const auto width = static_cast<std::size_t>(columns) + 1;
       for (const std::size_t corner :
            nearly_in_order(width * (static_cast<std::size_t>(rows) + 1), out_of_order, random)) {
         const GridPoint point{static_cast<std::uint32_t>(corner / width) * steps,
                               static_cast<std::uint32_t>(corner % width) * steps};
-        const glm::dvec3 view_vector = datapath->view_vector(point);
+        const glm::dvec3 view_vector = view_vectors(point);
         Work work;
         Work expected_work;
         const Sample sample = ahead.trace(point, view_vector, work);
-        ASSERT_EQ(sample, datapath->trace(view_vector, expected_work)) << columns << "x" << rows << " " << corner;
+        ASSERT_EQ(sample, tracer->trace(view_vector, expected_work)) << columns << "x" << rows << " " << corner;
         ASSERT_EQ(work, expected_work) << columns << "x" << rows << " " << corner;
       }
     }
@@ -50,12 +51,13 @@ TEST(CornersAhead, AreThoseOfTheDatapathInWhateverOrder) {
 
 TEST(CornersAhead, CanBeLeftAtAnyTime) {
   const Scene scene = random_scene(3, {5, 5, 0}, 640, 480);
-  const auto datapath = make_datapath(scene, 1);
+  const auto tracer = make_tracer(scene);
+  const ViewVectors view_vectors(scene.camera.screen, 1);
   for (std::uint32_t asked = 0; asked < 20; ++asked) {
-    CornersAhead ahead(*datapath, scene.camera.screen, 1, 0);
+    CornersAhead ahead(*tracer, view_vectors, scene.camera.screen, 1, 0);
     for (std::uint32_t column = 0; column < asked; ++column) {
       Work work;
-      ahead.trace({0, column}, datapath->view_vector({0, column}), work);
+      ahead.trace({0, column}, view_vectors({0, column}), work);
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <limits>
 
 #include "../test_scenes.h"
@@ -17,7 +18,7 @@ namespace {
 template <class Scalar>
 class BruteForce {
  public:
-  explicit BruteForce(const Scene& scene) : prepared_(prepare_scene<Scalar>(scene)) {
+  explicit BruteForce(const Scene& scene) : prepared_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {
     for (const Object& entry : scene.objects) {
       Scene alone = scene;
       alone.objects = {entry};
@@ -45,7 +46,7 @@ class BruteForce {
 
  private:
   PreparedScene<Scalar> prepared_;
-  std::vector<SceneTracer<Scalar>> alone_;
+  std::deque<SceneTracer<Scalar>> alone_;
 };
 
 template <class Scalar>

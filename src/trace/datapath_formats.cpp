@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/datapath_formats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "error.h"
+
+namespace pyrasim {
+namespace {
+
+constexpr std::string_view view_vectors_key = "view_vectors";
+constexpr std::string_view intersection_key = "intersection";
+
+/// The fraction bits by which no two points of the grid fall together. Lengths in units of dx.
+int needed_fraction_bits(const Screen& screen, std::int64_t steps) {
+  return static_cast<int>(
+      std::ceil(-std::log2(std::min(screen.dy, screen.dz) / (screen.dx * static_cast<double>(steps)))));
+}
+
+/// The integer bits that hold the squared length of the longest view vector.
+int needed_integer_bits(const Screen& screen) {
+  const double y = screen.rows * screen.dy / (2 * screen.dx);
+  const double z = screen.columns * screen.dz / (2 * screen.dx);
+  return std::ilogb(1 + y * y + z * z) + 1;
+}
+
+void require_bits(std::string_view stage, const NumberFormat& format, int fraction_bits, int integer_bits) {
+  if (format.kind != NumberKind::fixed) return;
+  if (format.fraction_bits < fraction_bits) {
+    throw UsageError(
+        fmt::format("--scalar {} for {}: neighbouring points of the screen's grid fall together; {} fraction bits or "
+                    "more, a smaller screen or a lower MAX_LEVEL is allowed",
+                    format.name(), stage, fraction_bits));
+  }
+  if (format.bits - 1 - format.fraction_bits < integer_bits) {
+    throw UsageError(
+        fmt::format("--scalar {} for {}: the view vector through the screen's corner is too long; {} integer bits or "
+                    "more, or a narrower field of view is allowed",
+                    format.name(), stage, integer_bits));
+  }
+}
+
+}  // namespace
+
+std::string DatapathFormats::name() const {
+  if (view_vectors == intersection) return view_vectors.name();
+  return fmt::format("{}={},{}={}", view_vectors_key, view_vectors.name(), intersection_key, intersection.name());
+}
+
+DatapathFormats parse_datapath_formats(std::string_view text) {
+  if (text.find('=') == std::string_view::npos) {
+    const NumberFormat format = parse_number_format(text);
+    return {format, format};
+  }
+  DatapathFormats formats;
+  bool more = true;
+  while (more) {
+    const std::string_view part = text.substr(0, text.find(','));
+    more = part.size() < text.size();
+    text.remove_prefix(part.size() + (more ? 1 : 0));
+    const std::size_t sign = std::min(part.find('='), part.size());
+    const std::string_view stage = part.substr(0, sign);
+    const std::string_view format = part.substr(std::min(sign + 1, part.size()));
+    if (stage == view_vectors_key) {
+      formats.view_vectors = parse_number_format(format);
+    } else if (stage == intersection_key) {
+      formats.intersection = parse_number_format(format);
+    } else {
+      throw UsageError(
+          fmt::format("{}: FORMAT, or {}=FORMAT,{}=FORMAT is allowed", part, view_vectors_key, intersection_key));
+    }
+  }
+  return formats;
+}
+
+std::optional<std::string> check_addressing(const DatapathFormats& formats, const Screen& screen, std::int64_t steps) {
+  const int fraction_bits = needed_fraction_bits(screen, steps);
+  const int integer_bits = needed_integer_bits(screen);
+  require_bits("view_vectors", formats.view_vectors, fraction_bits, integer_bits);
+  require_bits("intersection", formats.intersection, fraction_bits, integer_bits);
+  const double points = static_cast<double>(std::max(screen.columns, screen.rows)) * static_cast<double>(steps);
+  const int needed = static_cast<int>(std::ceil(std::log2(points))) + 4;
+  for (const auto& [stage, format] :
+       {std::pair(view_vectors_key, formats.view_vectors), std::pair(intersection_key, formats.intersection)}) {
+    if (format.kind == NumberKind::fixed || format.significand_bits >= needed) continue;
+    return fmt::format(
+        "--scalar {} for {}: {} significand bits are fewer than the {} by which no two of {:.0f} grid "
+        "points along a side come near each other; borders of objects will be ragged",
+        format.name(), stage, format.significand_bits, needed, points);
+  }
+  return std::nullopt;
+}
+
+}  // namespace pyrasim

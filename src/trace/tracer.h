@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The intersection arithmetic behind one interface, so that its number format is chosen when the program runs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <memory>
+
+#include "numeric/number_format.h"
+#include "pyramid/sample.h"
+#include "scene/scene.h"
+#include "trace/surface.h"
+
+namespace pyrasim {
+
+/// What the scene asks of an intersection unit: what has a count of 0 need not be built.
+struct SceneContents {
+  std::array<std::size_t, surface_kinds> surfaces{};  ///< by SurfaceKind
+  std::size_t inner_nodes = 0;                        ///< of the bounding volume hierarchy
+};
+
+/// Nearest hits in one scene, computed in one number format.
+class Tracer {
+ public:
+  Tracer() = default;
+  Tracer(const Tracer&) = delete;
+  Tracer& operator=(const Tracer&) = delete;
+  virtual ~Tracer() = default;
+
+  /// The nearest hit of the ray from the observer along `view_vector`, decision D7; the vector is rounded to the format
+  /// first. Adds the tests made to `work`. May be called from several threads.
+  virtual Sample trace(const glm::dvec3& view_vector, Work& work) const = 0;
+  virtual SceneContents contents() const = 0;
+};
+
+std::unique_ptr<Tracer> make_tracer(const Scene& scene, const NumberFormat& format = {});
+
+}  // namespace pyrasim
