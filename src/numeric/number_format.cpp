@@ -52,7 +52,8 @@ NumberFormat parse_number_format(std::string_view name) {
     if (names.back() == name) return format;
     if (format.kind != NumberKind::processor && systematic_name(format) == name) return format;
   }
-  throw UsageError(fmt::format("{}: {} is allowed", name, fmt::join(names, " or ")));
+  throw UsageError(
+      fmt::format("number format {}: {} is allowed", name.empty() ? "(empty)" : name, fmt::join(names, " or ")));
 }
 
 }  // namespace pyrasim

@@ -21,7 +21,7 @@ struct PyramidOptions {
   int max_level = 3;  ///< 0 to max_level_limit
   Leaf leaf = Leaf::mean;
   Reuse reuse = Reuse::none;
-  int threads = 0;            ///< 0: one for each core. Results do not depend on it
+  int threads = 0;                 ///< 0: one for each core. Results do not depend on it
   NumberFormat view_vectors = {};  ///< the format of view vectors
 };
 

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """The same picture and the same counts, whichever way a frame is made; and counts that are known beforehand."""
 
+import re
+
 import tool
 from tool import MACHINES, SCENES
 
-COUNTED = ("rays", "cases", "subdivisions", "terminal_nodes", "work", "image")
+COUNTED = ("rays", "cases", "subdivisions", "terminal_nodes", "work", "image", "arithmetic")
 
 
 class Agreement(tool.EndToEnd):
     def counts(self, *arguments):
         document = self.stats(*arguments)
-        return {key: document[key] for key in COUNTED}
+        return {key: document.get(key) for key in COUNTED}
 
     def test_render_and_simulate(self):
         for scene, *options in (
@@ -18,6 +20,9 @@ class Agreement(tool.EndToEnd):
                 ["fins.json", "--size", "48x36", "--max-level", "5"],
                 ["keel.json", "--size", "40x30", "--max-level", "0"],
                 ["keel.json", "--size", "33x17", "--scalar", "float", "--max-level", "2"],
+                ["keel.json", "--size", "33x17", "--scalar", "fp24"],
+                ["spheres.json", "--size", "24x18", "--scalar", "fix32.20", "--max-level", "2"],
+                ["fins.json", "--size", "24x18", "--scalar", "view_vectors=fix64.32,intersection=e8p20"],
                 ["spheres.json", "--size", "1x9"]):
             with self.subTest(scene=scene, options=options):
                 frame = [SCENES / scene, *options]
@@ -28,9 +33,29 @@ class Agreement(tool.EndToEnd):
                     for engine in ("decoupled", "lockstep"):
                         command = ["simulate", *frame, *machine, "--engine", engine]
                         document = self.stats(*command)
-                        self.assertEqual({key: document[key] for key in COUNTED}, rendered, command)
+                        self.assertEqual({key: document.get(key) for key in COUNTED}, rendered, command)
                         cycles.add(document["machine"]["cycles"])
                     self.assertEqual(len(cycles), 1)
+
+    def test_every_number_format(self):
+        """What a narrow format gets wrong it gets wrong alike, with and without the machine, on one thread and two."""
+        help_text = self.ok("render", "--help")
+        formats = re.search(r"formats: (.*?)\n\s+-o", help_text, re.DOTALL)[1].replace(",", " ").split()
+        self.assertGreaterEqual(len(formats), 35)
+        differing = 0
+        for scalar in formats:
+            with self.subTest(scalar=scalar):
+                frame = [SCENES / "spheres.json", "--size", "16x12", "--max-level", "2", "--scalar", scalar]
+                run = self.run_tool("render", *frame)
+                if run.returncode == 2:
+                    self.assertRegex(scalar, r"^fix")
+                    continue
+                rendered = self.counts("render", *frame, "--threads", "2")
+                self.assertEqual(rendered["arithmetic"] is None, scalar in ("double", "float"))
+                for threads in ("1", "2"):
+                    self.assertEqual(self.counts("simulate", *frame, "--threads", threads), rendered)
+                differing += rendered["image"] != self.counts("render", *frame[:-2])["image"]
+        self.assertGreater(differing, 20)
 
     def test_engines_write_the_same_statistics(self):
         documents = []

@@ -34,6 +34,10 @@ class Commands(tool.EndToEnd):
                     ("--max-level", "x", "--max-level x"), ("--max-level", "-1", "-1"), ("--max-level", "17", "17"),
                     ("--max-level", "2.5", "2.5"), ("--max-level", "", "(empty)"), ("--leaf", "median", "mean or drop"),
                     ("--leaf", "0", "mean or drop"), ("--scalar", "half", "double or float"),
+                    ("--scalar", "", "(empty)"), ("--scalar", "accumulation=fp24", "intersection=FORMAT is allowed"),
+                    ("--scalar", "view_vectors=fp24,", "intersection=FORMAT is allowed"),
+                    ("--scalar", "view_vectors=", "(empty)"), ("--scalar", "fix24.12", "13 fraction bits or more"),
+                    ("--scalar", "intersection=fix24.12", "13 fraction bits or more"),
                     ("--png-bits", "9", "9"), ("--png-encoding", "cmyk", "cmyk")):
                 self.refused(USAGE, command, KEEL, option, value, "-o", "out.png", says=says)
             self.refused(USAGE, command, KEEL, KEEL, says="keel.json")

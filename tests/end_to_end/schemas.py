@@ -133,6 +133,8 @@ class Schemas(tool.EndToEnd):
         for arguments in (
                 ["render", keel, *small], ["render", keel, *small, "--max-level", "0"],
                 ["render", keel, *small, "--max-level", "auto", "--leaf", "drop", "--scalar", "float"],
+                ["render", keel, *small, "--scalar", "e8p12"],
+                ["simulate", keel, *small, "--scalar", "view_vectors=fix64.32,intersection=fp24"],
                 ["render", spheres, *small, "--reuse", "pixel"], ["render", spheres, *small, "--reuse", "frame"],
                 ["render", keel, *small, "--method", "point"], ["render", keel, *small, "--method", "grid:3"],
                 ["render", keel, *small, "--method", "jitter:2", "--seed", "7"],

@@ -43,7 +43,8 @@ TEST(NumberFormat, WidthsAreThoseOfTheName) {
 TEST(NumberFormat, UnknownNamesAreRefusedWithTheListOfNames) {
   for (const char* name : {"", "half", "e8p26", "e8p", "E8P12", "fix64", "fix64.13", "e11p53", " double"}) {
     const std::string message = error_of<UsageError>([&] { parse_number_format(name); });
-    EXPECT_EQ(message.find(std::string(name) + ": double or float or fp16 or bf16 or "), 0U) << message;
+    const std::string shown = *name == 0 ? "(empty)" : name;
+    EXPECT_EQ(message.find("number format " + shown + ": double or float or fp16 or bf16 or "), 0U) << message;
     EXPECT_NE(message.find("e8p25 or fix64.12"), std::string::npos) << message;
     EXPECT_TRUE(message.ends_with(" or fix24.12 is allowed")) << message;
   }
