@@ -23,6 +23,7 @@ using Action = std::function<void()>;
 void add_render_command(CLI::App& app, Action& action);
 void add_simulate_command(CLI::App& app, Action& action);
 void add_sweep_command(CLI::App& app, Action& action);
+void add_study_command(CLI::App& app, Action& action);
 void add_budget_command(CLI::App& app, Action& action);
 void add_check_command(CLI::App& app, Action& action);
 void add_level_command(CLI::App& app, Action& action);

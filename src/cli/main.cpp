@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   cli::add_simulate_command(app, action);
   cli::add_sweep_command(app, action);
   cli::add_budget_command(app, action);
+  cli::add_study_command(app, action);
   cli::add_compare_command(app, action);
   cli::add_check_command(app, action);
   cli::add_level_command(app, action);

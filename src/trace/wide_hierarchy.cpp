@@ -49,8 +49,7 @@ double largest_coordinate(const glm::dvec3& point) {
 }
 
 BoundingBox bounds_of(const SphereSurface<double>& sphere, const Margin& margin) {
-  const double radius = 1 / sphere.inverse_radius;
-  return seen_sphere(sphere.center, radius, margin.of(largest_coordinate(sphere.center) + radius));
+  return seen_sphere(sphere.center, sphere.radius, margin.of(largest_coordinate(sphere.center) + sphere.radius));
 }
 
 BoundingBox bounds_of(const TriangleSurface<double>& triangle, const Margin& margin) {

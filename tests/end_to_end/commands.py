@@ -6,7 +6,7 @@ import re
 import tool
 from tool import SCENES, USAGE
 
-COMMANDS = ("render", "simulate", "sweep", "budget", "compare", "check", "level")
+COMMANDS = ("render", "simulate", "sweep", "budget", "study", "compare", "check", "level")
 KEEL = SCENES / "keel.json"
 
 

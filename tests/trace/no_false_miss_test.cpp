@@ -132,7 +132,7 @@ void expect_no_false_miss(std::uint64_t seed) {
     glm::dvec3 view_vector = provocation.view_vector();
     if (k % 2 == 0 && !spheres.empty()) {
       const auto& sphere = spheres[k % spheres.size()];
-      const double radius = 1 / static_cast<double>(sphere.inverse_radius);
+      const double radius = static_cast<double>(sphere.radius);
       const glm::dvec3 grazing =
           provocation.graze(glm::dvec3(sphere.center), radius, static_cast<double>(epsilon<Scalar>()));
       if (std::abs(grazing.y) <= std::abs(view_vector.y) && std::abs(grazing.z) <= std::abs(view_vector.z)) {
