@@ -88,7 +88,7 @@ class Processor final : public sc_core::sc_module {
 
   Cycle max_cycles_;
   MachineSpec spec_;
-  Screen screen_;
+  PixelWindow window_;
   std::unique_ptr<Datapath> datapath_;
   SceneContents contents_;
   PixelScan pixel_scan_;

@@ -29,7 +29,7 @@ struct Rendering {
   FrameStatistics statistics;
 };
 
-/// Renders the scene on its camera's screen. Requires addressable(columns, rows, max_level).
+/// Renders the scene on its camera's screen, or on the window of it. Requires addressable(columns, rows, max_level).
 template <class Scalar>
 Rendering render_pyramids(const Scene& scene, const SceneTracer<Scalar>& tracer, const PyramidOptions& options,
                           const Progress& progress = {});

@@ -36,6 +36,14 @@ class Commands(tool.EndToEnd):
                     ("--leaf", "0", "mean or drop"), ("--scalar", "half", "double or float"),
                     ("--png-bits", "9", "9"), ("--png-encoding", "cmyk", "cmyk")):
                 self.refused(USAGE, command, KEEL, option, value, "-o", "out.png", says=says)
+            for window, says in (
+                    ("", "--window (empty): X,Y,COLUMNS,ROWS is allowed"), ("1,2,3", "as in 0,0,64,48"),
+                    ("1,2,3,4,5", "as in 0,0,64,48"), ("64x48", "as in 0,0,64,48"), (",0,1,1", "x (empty)"),
+                    ("-1,0,1,1", "x -1: a whole number from 0 to 63 is"), ("64,0,1,1", "x 64: a whole number from 0 to 63"),
+                    ("0,48,1,1", "y 48: a whole number from 0 to 47"), ("0,0,0,1", "columns 0: a whole number from 1 to 64"),
+                    ("60,0,5,1", "columns 5: a whole number from 1 to 4"), ("0,47,1,2", "rows 2: a whole number from 1 to 1"),
+                    ("0,0,1,1.5", "rows 1.5"), ("0,0,1,99999999999999999999", "rows 9999"), ("0,0, 1,1", "columns  1")):
+                self.refused(USAGE, command, KEEL, "--size", "64x48", "--window", window, "-o", "out.png", says=says)
             self.refused(USAGE, command, KEEL, KEEL, says="keel.json")
             self.refused(USAGE, command, KEEL, "--size", says="--size")
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "../test_scenes.h"
+#include "../windows.h"
 #include "random_machine.h"
 #include "simulation.h"
 #include "timeline.h"
@@ -188,6 +189,7 @@ Case random_case(std::mt19937_64& random) {
   result.options.max_level = static_cast<int>(random() % 6);
   result.options.scalar = random() % 4 == 0 ? ScalarFormat::single_precision : ScalarFormat::double_precision;
   result.spec = random_machine(random, result.options.max_level);
+  if (random() % 4 == 0) result.scene.camera.window = random_window(random, result.scene.camera.screen);
   return result;
 }
 
