@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <optional>
 
+#include "render/picture_memory.h"
+
 namespace pyrasim::hw {
 namespace {
 
 MachineSpec checked(const MachineSpec& spec, const Scene& scene, const SimulationOptions& options) {
-  if (options.check_machine) check_machine_holds(spec, options.max_level, scene.camera.rendered().columns);
+  const PixelWindow window = scene.camera.rendered();
+  if (options.check_machine) check_machine_holds(spec, options.max_level, window.columns);
+  check_picture_fits(window);
   return spec;
 }
 

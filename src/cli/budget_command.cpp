@@ -14,6 +14,7 @@
 #include "cli/simulate_apart.h"
 #include "cli/statistics_document.h"
 #include "error.h"
+#include "render/picture_memory.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -145,6 +146,7 @@ struct BudgetCommand {
     asked.options.leaf = frame.leaf;
     asked.options.scalar = frame.scalar;
     check_addressable(screen, asked.options.max_level);
+    check_picture_fits(asked.scene.camera.rendered());
     hw::check_machine_holds(asked.spec, asked.options.max_level, screen.columns);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);

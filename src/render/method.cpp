@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "error.h"
+#include "render/picture_memory.h"
 
 namespace pyrasim {
 namespace {
@@ -53,6 +54,7 @@ Method parse_method(std::string_view name) {
 
 Rendering render(const Scene& scene, const Method& method, ScalarFormat scalar, int threads, const Progress& progress) {
   if (method.pyramid) check_addressable(scene.camera.screen, method.pyramids.max_level);
+  check_picture_fits(scene.camera.rendered());
   return scalar == ScalarFormat::single_precision ? render_in<float>(scene, method, threads, progress)
                                                   : render_in<double>(scene, method, threads, progress);
 }

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Usage mistakes, and what the small commands print."""
 
+import os
 import re
 
 import tool
-from tool import SCENES, USAGE
+from tool import LIMIT, SCENES, USAGE
 
 COMMANDS = ("render", "simulate", "sweep", "budget", "compare", "check", "level")
 KEEL = SCENES / "keel.json"
@@ -46,6 +47,17 @@ class Commands(tool.EndToEnd):
                 self.refused(USAGE, command, KEEL, "--size", "64x48", "--window", window, "-o", "out.png", says=says)
             self.refused(USAGE, command, KEEL, KEEL, says="keel.json")
             self.refused(USAGE, command, KEEL, "--size", says="--size")
+
+    def test_picture_larger_than_memory(self):
+        size = 65535
+        if 24 * size * size <= os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"):
+            self.skipTest("this machine holds the largest picture")
+        for command in ("render", "simulate", "budget"):
+            output = ["--stats", "out.json"] if command == "budget" else ["-o", "out.png"]
+            self.refused(LIMIT, command, KEEL, "--size", f"{size}x{size}", *output,
+                         says="a picture of 65535x65535 pixels takes 96.0 GiB of memory")
+        for command in ("render", "simulate"):
+            self.ok(command, KEEL, "--size", f"{size}x{size}", "--window", "65527,65527,8,8", "--max-level", 16)
 
     def test_usage_of_one_command(self):
         for method in ("paint", "grid", "grid:", "grid:0", "grid:257", "grid:2x", "jitter:-1", "point:2", ""):
