@@ -77,7 +77,7 @@ TEST(CornersAhead, SpareWhoAsksHisRays) {
   for (const PixelWindow& window : std::vector<PixelWindow>{{0, 0, 20, 30}, {150, 60, 20, 30}}) {
     const CountingDatapath datapath(scene);
     CornersAhead ahead(datapath, window, 1, 0);
-    while (datapath.rays() < 30U * 21) std::this_thread::yield();
+    while (datapath.rays() < std::size_t{30} * 21) std::this_thread::yield();
     for (std::uint32_t corner = 0; corner < 31 * 21; ++corner) {
       const GridPoint point = {static_cast<std::uint32_t>(window.row) + corner / 21,
                                static_cast<std::uint32_t>(window.column) + corner % 21};
