@@ -3,11 +3,12 @@
 
 namespace pyrasim::hw {
 
-PixelScan::PixelScan(const sc_core::sc_module_name& name, StageTiming timing, const Screen& screen, int max_level)
+PixelScan::PixelScan(const sc_core::sc_module_name& name, StageTiming timing, const PixelWindow& window, int max_level)
     : StageOf(name),
       timing_(timing),
-      rows_(static_cast<std::uint32_t>(screen.rows)),
-      columns_(static_cast<std::uint32_t>(screen.columns)),
+      window_(window),
+      rows_(static_cast<std::uint32_t>(window.rows)),
+      columns_(static_cast<std::uint32_t>(window.columns)),
       max_level_(max_level) {}
 
 Start PixelScan::next() {
@@ -20,7 +21,7 @@ Start PixelScan::next() {
 void PixelScan::fire(Cycle now) {
   PixelTag tag;
   if (completes_pixel()) tag = {(row_ - 1) * columns_ + column_ - 1, tree_accumulator->read(now).slot, now};
-  view_vector_generator->write({{row_ << max_level_, column_ << max_level_}, tag}, now, timing_.latency);
+  view_vector_generator->write({pixel_corner(window_, row_, column_, max_level_), tag}, now, timing_.latency);
   if (++column_ > columns_) {
     column_ = 0;
     ++row_;

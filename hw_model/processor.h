@@ -49,7 +49,8 @@ struct OmittedUnit {
 };
 
 /// One machine, rendering one frame. Several may be elaborated side by side before the simulation starts. Elaborate,
-/// call sc_core::sc_start(), then read the results. Throws InputError where the machine cannot hold a pixel's tree.
+/// call sc_core::sc_start(), then read the results. Throws InputError where the machine cannot hold a pixel's tree,
+/// LimitError where the picture is too large.
 class Processor final : public sc_core::sc_module {
  public:
   Processor(const sc_core::sc_module_name& name, const Scene& scene, const MachineSpec& spec,
@@ -88,7 +89,7 @@ class Processor final : public sc_core::sc_module {
 
   Cycle max_cycles_;
   MachineSpec spec_;
-  Screen screen_;
+  PixelWindow window_;
   DatapathFormats formats_;
   std::unique_ptr<Tracer> tracer_;
   ViewVectors view_vectors_;

@@ -11,7 +11,8 @@ PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, StageT
       palette_(scene),
       leaf_(leaf),
       max_level_(max_level),
-      columns_(static_cast<std::uint32_t>(scene.camera.screen.columns)),
+      window_(scene.camera.rendered()),
+      columns_(static_cast<std::uint32_t>(window_.columns)),
       corner_row_(static_cast<std::size_t>(columns_) + 2) {}
 
 Start PyramidClassifier::next() {
@@ -73,7 +74,7 @@ void PyramidClassifier::plan_corner(const SampleMessage& message) {
   if (!step_.node.subdivide) return;
   const std::uint32_t mu = message.tag.pixel / columns_;
   const std::uint32_t nu = message.tag.pixel % columns_;
-  step_.node.pyramid.corner = {mu << max_level_, nu << max_level_};
+  step_.node.pyramid.corner = pixel_corner(window_, mu, nu, max_level_);
 }
 
 void PyramidClassifier::plan_subpixel(std::size_t child) {

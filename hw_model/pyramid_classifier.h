@@ -59,7 +59,8 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   Palette palette_;
   Leaf leaf_;
   int max_level_;
-  std::uint32_t columns_;
+  PixelWindow window_;
+  std::uint32_t columns_;           ///< N_z of the window
   std::size_t unit_ = 0;            ///< that the next sample comes from
   std::vector<Sample> corner_row_;  ///< the last N_z + 2 corner samples: one row and one more
   std::size_t corner_ = 0;          ///< where the next corner goes in the ring corner_row_

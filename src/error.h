@@ -33,7 +33,7 @@ struct InputError : Error {
   explicit InputError(const std::string& message) : Error(exit_input, message) {}
 };
 
-/// A deadlock, or a limit on cycles that was reached.
+/// A deadlock, a limit on cycles that was reached, or a picture larger than memory.
 struct LimitError : Error {
   explicit LimitError(const std::string& message) : Error(exit_limit, message) {}
 };

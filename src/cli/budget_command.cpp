@@ -14,6 +14,7 @@
 #include "cli/simulate_apart.h"
 #include "cli/statistics_document.h"
 #include "error.h"
+#include "render/picture_memory.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -144,6 +145,7 @@ struct BudgetCommand {
     asked.options.max_level = parse_max_level(frame.max_level, screen);
     asked.options.leaf = frame.leaf;
     check_addressable(screen, asked.options.max_level);
+    check_picture_fits(asked.scene.camera.rendered());
     asked.options.formats = frame.formats(screen, std::int64_t{1} << asked.options.max_level);
     hw::check_machine_holds(asked.spec, asked.options.max_level, screen.columns);
     std::optional<TextOutput> statistics;

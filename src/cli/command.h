@@ -36,21 +36,23 @@ void set_command_line(int argc, char** argv);
 /// Options of a command that renders one frame of a scene.
 struct FrameOptions {
   std::string scene;
-  std::string size;             ///< "COLUMNSxROWS", or empty: as the scene says
-  std::string max_level = "3";  ///< a number or "auto"
+  std::string size;                   ///< "COLUMNSxROWS", or empty: as the scene says
+  std::optional<std::string> window;  ///< "X,Y,COLUMNS,ROWS" of the screen
+  std::string max_level = "3";        ///< a number or "auto"
   Leaf leaf = Leaf::mean;
   std::string scalar = "double";
 
-  /// Reads the scene, on the screen asked for; its warnings go to stderr.
+  /// Reads the scene, on the screen and window asked for; its warnings go to stderr.
   Scene load() const;
   /// The number formats asked for, which can address `screen` at `steps` grid steps along a pixel's side; a warning
   /// goes to stderr.
   DatapathFormats formats(const Screen& screen, std::int64_t steps) const;
 };
 
-/// Adds SCENE, --size, --max-level and --leaf. --scalar is the caller's choice.
+/// Adds SCENE, --size, --max-level and --leaf. --scalar and --window are the caller's choice.
 void add_frame_options(CLI::App& command, FrameOptions& options);
 void add_scalar_option(CLI::App& command, std::string& scalar);
+void add_window_option(CLI::App& command, FrameOptions& options);
 void add_leaf_option(CLI::App& command, Leaf& leaf);
 
 /// What the loader has to remark on a scene, on stderr, a line each.
@@ -58,6 +60,8 @@ void print_warnings(const Scene& scene);
 
 /// "640x480". Throws UsageError.
 std::pair<int, int> parse_size(const std::string& text);
+/// "X,Y,COLUMNS,ROWS" within `screen`. Throws UsageError.
+PixelWindow parse_window(const std::string& text, const Screen& screen);
 /// A whole number from `least` to `most`; `what` names it in the UsageError.
 int parse_number(const std::string& text, int least, int most, const std::string& what);
 /// A level from 0 to max_level_limit, or what the criterion asks of `screen` for "auto".

@@ -30,7 +30,7 @@ struct RenderCommand {
     if (!stats.empty()) statistics.emplace(stats);
     const Rendering rendering = render(scene, chosen, formats, threads, progress_bar("rendering"));
     picture.write(rendering.image);
-    if (statistics) statistics->write(text_of(render_document(frame.scene, chosen, formats, rendering)));
+    if (statistics) statistics->write(text_of(render_document(frame.scene, scene.camera, chosen, formats, rendering)));
   }
 };
 
@@ -40,6 +40,7 @@ void add_render_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<RenderCommand>();
   CLI::App* command = app.add_subcommand("render", "Render a frame without timing, by pyramids or by a peer.");
   add_frame_options(*command, options->frame);
+  add_window_option(*command, options->frame);
   add_scalar_option(*command, options->frame.scalar);
   options->image.add(*command);
   command->add_option("--method", options->method, "pyramids, or a peer: N x N rays a pixel, regular or jittered")

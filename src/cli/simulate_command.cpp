@@ -53,9 +53,10 @@ struct SimulateCommand {
     for (const auto& occupancy : occupancies) occupancy->end_frame(processor.cycles());
     picture.write(processor.image());
     if (vcd) vcd->write(recorder->text());
-    if (statistics) statistics->write(text_of(simulation_document(frame.scene, options, processor, occupancies)));
+    if (statistics)
+      statistics->write(text_of(simulation_document(frame.scene, scene.camera, options, processor, occupancies)));
     (stats == "-" || trace == "-" ? std::cerr : std::cout)
-        << simulation_table(frame.scene, options.max_level, processor);
+        << simulation_table(frame.scene, scene.camera, options.max_level, processor);
   }
 };
 
@@ -65,6 +66,7 @@ void add_simulate_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<SimulateCommand>();
   CLI::App* command = app.add_subcommand("simulate", "Simulate a frame on a machine, cycle by cycle.");
   add_frame_options(*command, options->frame);
+  add_window_option(*command, options->frame);
   add_scalar_option(*command, options->frame.scalar);
   options->image.add(*command);
   options->machine.add(*command);

@@ -27,8 +27,9 @@ struct FormatRow {
   bool usable() const { return refused.empty(); }
 };
 
-/// The narrowest format, in bits of a number and, where these are equal, after the binary point, that leaves the 8-bit picture as it is; of `rows` of one kind: floating
-/// point (double and float included) or fixed. None where no format of the kind does.
+/// The narrowest format, in bits of a number and, where these are equal, after the binary point, that leaves the 8-bit
+/// picture as it is; of `rows` of one kind: floating point (double and float included) or fixed. None where no format
+/// of the kind does.
 std::optional<NumberFormat> smallest_unchanged(const std::vector<FormatRow>& rows, bool fixed);
 
 /// A line for each row, and one for the smallest formats.
