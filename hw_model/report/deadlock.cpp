@@ -59,15 +59,19 @@ std::string wait_for_cycle(Processor& processor) {
   return "";
 }
 
-void require_finished(Processor& processor) {
+std::string why_unfinished(Processor& processor) {
   const Cycle limit = processor.max_cycles();
-  if (processor.complete() && processor.cycles() <= limit) return;
+  if (processor.complete() && processor.cycles() <= limit) return "";
   std::string reason = fmt::format("the frame is not finished within {} cycles", limit);
   if (!processor.complete() && processor.at_rest()) {
     reason = "deadlock: no stage can go on";
     if (const std::string cycle = wait_for_cycle(processor); !cycle.empty()) reason += "; in a circle: " + cycle;
   }
-  throw LimitError(reason + "\n" + machine_state(processor));
+  return reason + "\n" + machine_state(processor);
+}
+
+void require_finished(Processor& processor) {
+  if (const std::string why = why_unfinished(processor); !why.empty()) throw LimitError(why);
 }
 
 }  // namespace pyrasim::hw
