@@ -74,6 +74,15 @@ TEST_P(Deadlock, IsReportedWithTheCircleAndEveryStageAndFifo) {
   EXPECT_NE(why.find("waits for a token from tree_accumulator_to_pixel_scan"), std::string::npos) << why;
 }
 
+/// It waits for the classifier to close a family, but the reader of the report wants to know why.
+TEST_P(Deadlock, TheControllersLineSaysThatItsPoolHasNoRoom) {
+  Processor& stuck = machine(1);
+  sc_core::sc_start();
+  const std::string state = machine_state(stuck);
+  EXPECT_NE(state.find(", has no room in its pool: 0 of 9 entries kept, 10 more needed\n"), std::string::npos) << state;
+  EXPECT_EQ(state.find("a token from pyramid_classifier_to_subdivision_controller"), std::string::npos) << state;
+}
+
 /// The scan is through, so that nobody waits for anybody in a circle; still no stage can go on.
 TEST_P(Deadlock, WithoutACircleIsADeadlockAllTheSame) {
   MachineSpec spec;
