@@ -69,7 +69,7 @@ class Interrupted(tool.EndToEnd):
                 with self.start(*arguments, *self.outputs) as process:
                     wait_until(lambda: catches(process, number))
                     process.send_signal(number)
-                    output = process.communicate(timeout=60)[0]
+                    output = tool.STACK_NOTICE.sub("", process.communicate(timeout=60)[0])
                 self.assertRegex(output, rf"\Apyrasim: interrupted {how_far}\n\Z", arguments)
                 self.assertEqual(process.returncode, 128 + number)
                 self.nothing_changes(before)
