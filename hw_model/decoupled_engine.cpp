@@ -15,7 +15,7 @@ DecoupledEngine::DecoupledEngine(std::vector<Stage*> stages, Boxes boxes, const 
   for (Stage* stage : stages_) stage->attach(work_);
 }
 
-void DecoupledEngine::run(Cycle last) {
+void DecoupledEngine::run(const Cycle& last) {
   for (Stage* stage : stages_) stage->wake();
   bool at_rest = false;
   for (;;) {

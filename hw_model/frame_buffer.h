@@ -20,6 +20,7 @@ class FrameBuffer final : public StageOf<FrameBuffer> {
   void fire(Cycle now) override;
 
   const Image& image() const { return image_; }
+  std::size_t stored() const { return stored_; }  ///< pixels
   bool complete() const { return stored_ == image_.pixels().size(); }
 
  private:

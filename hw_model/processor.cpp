@@ -24,6 +24,7 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
                      const SimulationOptions& options)
     : sc_module(name),
       max_cycles_(options.max_cycles),
+      last_(options.max_cycles),
       spec_(checked(spec, scene, options)),
       window_(scene.camera.rendered()),
       formats_(options.formats),
@@ -36,7 +37,7 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
       pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, scene, options.leaf,
                           options.max_level),
       tree_accumulator_("tree_accumulator", spec.tree_accumulator, spec.pixels_in_flight, options.max_level),
-      frame_buffer_("frame_buffer", spec.frame_buffer, window_.columns, window_.rows, options.progress) {
+      frame_buffer_("frame_buffer", spec.frame_buffer, window_.columns, window_.rows, stopping(options.progress)) {
   for (std::size_t k = 0; k < spec.intersection_units; ++k) {
     intersection_units_.push_back(std::make_unique<IntersectionUnit>(fmt::format("intersection_unit_{}", k).c_str(),
                                                                      spec.intersection_latency, spec.intersection_cost,
@@ -50,7 +51,7 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
   list_omitted();
   const sc_core::sc_time period(1e6 / spec.clock_mhz, sc_core::SC_PS);
   if (options.engine == Engine::lockstep) {
-    for (Stage* stage : stages_) stage->run_in_lockstep(period, options.max_cycles);
+    for (Stage* stage : stages_) stage->run_in_lockstep(period, last_);
     return;
   }
   DecoupledEngine::Boxes boxes{pixel_scan_, view_vector_generator_, {}, controller_.get(), tree_accumulator_};
@@ -71,7 +72,17 @@ void Processor::run_decoupled(int threads) {
                     intersection_units_.size() * spec_.fifos.view_vector_generator_to_intersection_unit);
   }
   for (const auto& unit : intersection_units_) unit->take_corners(corners ? &*corners : nullptr);
-  engine_->run(max_cycles_);
+  engine_->run(last_);
+}
+
+/// `progress`, heeded: the machine stops where it says so.
+Progress Processor::stopping(const Progress& progress) {
+  if (!progress) return {};
+  return [this, progress](double share) {
+    const bool go_on = progress(share);
+    if (!go_on) last_ = 0;
+    return go_on;
+  };
 }
 
 template <class Message, class Writer, class Reader, class Out, class In>

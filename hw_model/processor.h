@@ -57,9 +57,10 @@ class Processor final : public sc_core::sc_module {
             const SimulationOptions& options);
 
   /// Whether every pixel has been stored. If not once the simulation is over, the machine is deadlocked, or was stopped
-  /// at max_cycles(). See report/deadlock.h.
+  /// at max_cycles() or by its progress. See report/deadlock.h.
   bool complete() const { return frame_buffer_.complete(); }
   Cycle max_cycles() const { return max_cycles_; }
+  const FrameBuffer& frame_buffer() const { return frame_buffer_; }
   /// Whether no stage can fire.
   bool at_rest() const;
 
@@ -85,9 +86,11 @@ class Processor final : public sc_core::sc_module {
   void bind(Engine engine);
   void bind_controller();
   void list_omitted();
+  Progress stopping(const Progress& progress);
   void run_decoupled(int threads);
 
   Cycle max_cycles_;
+  Cycle last_;  ///< nothing is set off after it; at first max_cycles_
   MachineSpec spec_;
   PixelWindow window_;
   DatapathFormats formats_;

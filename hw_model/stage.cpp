@@ -24,12 +24,12 @@ StageStatistics Stage::statistics(Cycle cycles) const {
   return statistics;
 }
 
-void Stage::run_in_lockstep(const sc_core::sc_time& period, Cycle last) {
+void Stage::run_in_lockstep(const sc_core::sc_time& period, const Cycle& last) {
   period_ = period;
-  sc_core::sc_spawn([this, last] { lockstep(last); }, (std::string(basename()) + "_process").c_str());
+  sc_core::sc_spawn([this, &last] { lockstep(last); }, (std::string(basename()) + "_process").c_str());
 }
 
-void Stage::lockstep(Cycle last) {
+void Stage::lockstep(const Cycle& last) {
   Cycle now = 0;
   for (;;) {
     sleep();

@@ -99,9 +99,9 @@ class Stage : public sc_core::sc_module, public FifoEnd {
     sleep();  // it may have been told of preloaded tokens
   }
   void observe(StageObserver* observer) { observer_ = observer; }
-  /// Registers the process that runs this stage on the SystemC kernel, with no firing after `last`; before the
-  /// simulation starts.
-  void run_in_lockstep(const sc_core::sc_time& period, Cycle last);
+  /// Registers the process that runs this stage on the SystemC kernel, with no firing after `last`, which
+  /// may change meanwhile and has to outlive the stage; before the simulation starts.
+  void run_in_lockstep(const sc_core::sc_time& period, const Cycle& last);
 
   /// Books the cycles from the end of the last firing to `start`.
   void account(const Start& start) {
@@ -133,7 +133,7 @@ class Stage : public sc_core::sc_module, public FifoEnd {
  private:
   void woken() final;
   void observe_wait(Cycle until, bool starved);
-  void lockstep(Cycle last);
+  void lockstep(const Cycle& last);
 
   Cycle ready_ = 0;
   StageStatistics statistics_;

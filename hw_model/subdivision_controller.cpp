@@ -17,15 +17,20 @@ Start SubdivisionController::next() {
   return accepts_ ? accept : issue;
 }
 
-/// The banker's rule. Worked off depth first, a node of level l replaces its entry by four and needs three more on each
-/// of the levels l + 1 to MAX_LEVEL - 1; a pixel has no entry to give back, and needs one more.
+/// The banker's rule.
 bool SubdivisionController::can_issue() const {
+  if (subpixels_.empty() && pixels_.empty()) return false;
+  return pool_kept() + pool_needed() <= pool_;
+}
+
+/// Worked off depth first, a node of level l replaces its entry by four and needs three more on each of the levels l +
+/// 1 to MAX_LEVEL - 1; a pixel has no entry to give back, and needs one more.
+std::size_t SubdivisionController::pool_needed() const {
   const bool from_pool = !subpixels_.empty();
-  if (!from_pool && pixels_.empty()) return false;
+  if (!from_pool && pixels_.empty()) return 0;
   const std::uint32_t level = from_pool ? subpixels_.back().pyramid.level : 0;
-  if (!family_returns(level)) return true;
-  const std::size_t needed = 3 * (static_cast<std::size_t>(max_level_) - 1 - level) + (from_pool ? 0 : 1);
-  return subpixels_.size() + reserved_ + needed <= pool_;
+  if (!family_returns(level)) return 0;
+  return 3 * (static_cast<std::size_t>(max_level_) - 1 - level) + (from_pool ? 0 : 1);
 }
 
 void SubdivisionController::fire(Cycle now) {

@@ -32,6 +32,10 @@ class SubdivisionController final : public StageOf<SubdivisionController> {
 
   std::size_t pool_depth() const { return pool_; }
   std::size_t pool_max() const { return most_used_; }
+  /// Entries in use or reserved.
+  std::size_t pool_kept() const { return subpixels_.size() + reserved_; }
+  /// Entries that have to be left for the next request to be issued; 0 where no node waits.
+  std::size_t pool_needed() const;
 
  private:
   bool can_issue() const;

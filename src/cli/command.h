@@ -105,7 +105,8 @@ class PictureOutput {
   std::unique_ptr<File> file_;
 };
 
-/// A bar on stderr where that is a terminal, else a line every 10 s. `label`: what is going on.
+/// A bar on stderr where that is a terminal, else a line every 10 s; it says to stop when the user interrupts (see
+/// interrupt.h). `label`: what is going on.
 Progress progress_bar(const std::string& label);
 
 }  // namespace pyrasim::cli

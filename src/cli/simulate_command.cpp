@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/choice.h"
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/statistics_document.h"
 #include "hw_model/report/deadlock.h"
@@ -48,7 +51,11 @@ struct SimulateCommand {
     if (statistics) {
       for (hw::FifoBase* fifo : processor.fifos()) occupancies.push_back(std::make_unique<hw::Occupancy>(*fifo));
     }
-    sc_core::sc_start();
+    run_interruptibly([] { sc_core::sc_start(); },
+                      [&] {
+                        return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
+                                           processor.frame_buffer().stored(), processor.image().pixels().size());
+                      });
     hw::require_finished(processor);
     for (const auto& occupancy : occupancies) occupancy->end_frame(processor.cycles());
     picture.write(processor.image());

@@ -88,7 +88,7 @@ struct NumericsStudy {
       options.formats = {candidates[k].format, candidates[k].format};
       options.max_cycles = machine.max_cycles;
       options.progress = [bar, k, all = candidates.size()](double share) {
-        bar((static_cast<double>(k) + share) / static_cast<double>(all));
+        return bar((static_cast<double>(k) + share) / static_cast<double>(all));
       };
       try {
         check_addressing(options.formats, scene.camera.screen, std::int64_t{1} << max_level);

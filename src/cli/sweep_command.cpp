@@ -46,7 +46,7 @@ struct SweepCommand {
       options.leaf = points[k].leaf;
       options.max_cycles = machine.max_cycles;
       options.progress = [bar, k, all = points.size()](double share) {
-        bar((static_cast<double>(k) + share) / static_cast<double>(all));
+        return bar((static_cast<double>(k) + share) / static_cast<double>(all));
       };
       points[k].processor =
           std::make_unique<hw::Processor>(fmt::format("point_{}", k).c_str(), points[k].scene, spec, options);

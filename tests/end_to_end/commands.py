@@ -17,7 +17,8 @@ class Commands(tool.EndToEnd):
         for command in COMMANDS:
             self.assertRegex(text, rf"(?m)^  {command} ")
             self.assertIn("--help", self.ok(command, "--help"))
-        self.assertIn("Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit.", text)
+        self.assertIn("Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit, "
+                      "128 + N ended by signal N.", text)
         self.assertRegex(self.ok("--version"), r"^pyrasim \d+\.\d+\.\d+\S*\n$")
 
     def test_usage(self):

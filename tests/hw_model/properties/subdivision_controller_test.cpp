@@ -135,6 +135,16 @@ TEST(BankersRule, IssuesAPixelWhileItsTreeFitsAndNoFurther) {
   }
 }
 
+TEST(BankersRule, SaysWhatIsKeptAndWhatTheNextRequestNeeds) {
+  Bench bench(7, 2);
+  EXPECT_EQ(bench.controller.pool_kept(), 0U);
+  EXPECT_EQ(bench.controller.pool_needed(), 0U) << "no node waits";
+  for (const std::uint32_t pixel : {1, 2}) bench.send(0, pixel);
+  ASSERT_EQ(bench.issued().size(), 1U);
+  EXPECT_EQ(bench.controller.pool_kept(), 4U);
+  EXPECT_EQ(bench.controller.pool_needed(), 4U);
+}
+
 TEST(BankersRule, RequestsWhoseFamilyEndsThereNeedNoPool) {
   Bench bench(0, 1);
   for (std::uint32_t pixel = 0; pixel < 10; ++pixel) bench.send(0, pixel);
