@@ -28,7 +28,7 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
       spec_(checked(spec, scene, options)),
       window_(scene.camera.rendered()),
       formats_(options.formats),
-      tracer_(make_tracer(scene, formats_.intersection)),
+      tracer_(options.tracer ? options.tracer : make_tracer(scene, formats_.intersection)),
       view_vectors_(scene.camera.screen, std::int64_t{1} << options.max_level, formats_.view_vectors),
       contents_(tracer_->contents()),
       pixel_scan_("pixel_scan", spec.pixel_scan, window_, options.max_level),

@@ -29,9 +29,10 @@ struct SimulationOptions {
   Leaf leaf = Leaf::mean;
   Engine engine = Engine::decoupled;
   DatapathFormats formats;
-  Cycle max_cycles = never;   ///< the machine stops once it cannot end within so many
-  int threads = 1;            ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
-  bool check_machine = true;  ///< refuse a machine that cannot hold the frame; off only to see it deadlock
+  std::shared_ptr<const Tracer> tracer;  ///< of the scene in formats.intersection; none: the machine makes its own
+  Cycle max_cycles = never;              ///< the machine stops once it cannot end within so many
+  int threads = 1;                       ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
+  bool check_machine = true;             ///< refuse a machine that cannot hold the frame; off only to see it deadlock
   Progress progress;
 };
 
@@ -94,7 +95,7 @@ class Processor final : public sc_core::sc_module {
   MachineSpec spec_;
   PixelWindow window_;
   DatapathFormats formats_;
-  std::unique_ptr<Tracer> tracer_;
+  std::shared_ptr<const Tracer> tracer_;
   ViewVectors view_vectors_;
   SceneContents contents_;
   PixelScan pixel_scan_;

@@ -23,6 +23,7 @@ namespace {
 struct Candidate {
   NumberFormat format;
   std::string refused;
+  std::shared_ptr<const Tracer> tracer;
   std::unique_ptr<hw::Processor> processor;
 };
 
@@ -66,7 +67,7 @@ struct NumericsStudy {
   std::vector<Candidate> chosen() const {
     std::vector<Candidate> candidates(1);
     const auto add = [&](const NumberFormat& format) {
-      if (format != NumberFormat()) candidates.push_back({format, {}, nullptr});
+      if (format != NumberFormat()) candidates.push_back({format, {}, nullptr, nullptr});
     };
     if (formats.empty()) {
       std::vector<NumberFormat> all = number_formats();
@@ -96,6 +97,7 @@ struct NumericsStudy {
         candidates[k].refused = "cannot address the screen";
         continue;
       }
+      candidates[k].tracer = options.tracer = make_tracer(scene, candidates[k].format);
       candidates[k].processor =
           std::make_unique<hw::Processor>(fmt::format("format_{}", k).c_str(), scene, spec, options);
     }
@@ -108,7 +110,7 @@ struct NumericsStudy {
   std::vector<FormatRow> compare(const std::vector<Candidate>& candidates, const Scene& scene, int max_level) const {
     const Progress bar = progress_bar("comparing");
     const hw::Processor& reference = *candidates.front().processor;
-    const std::unique_ptr<Tracer> exact = make_tracer(scene);
+    const Tracer& exact = *candidates.front().tracer;
     std::vector<FormatRow> rows;
     for (const Candidate& candidate : candidates) {
       FormatRow& row = rows.emplace_back();
@@ -116,11 +118,10 @@ struct NumericsStudy {
       row.refused = candidate.refused;
       bar(static_cast<double>(rows.size()) / static_cast<double>(candidates.size()));
       if (!candidate.processor) continue;
-      const std::unique_ptr<Tracer> tracer = make_tracer(scene, candidate.format);
       const FrameStatistics statistics = candidate.processor->statistics();
       row.changed_pixels = changed_pixels(candidate.processor->image(), reference.image());
       row.psnr = psnr(candidate.processor->image(), reference.image());
-      row.flips = decision_flips(scene, {*exact, {}}, {*tracer, candidate.format}, max_level, threads);
+      row.flips = decision_flips(scene, {exact, {}}, {*candidate.tracer, candidate.format}, max_level, threads);
       row.rays = statistics.total_rays();
       row.cycles = candidate.processor->cycles();
       row.events = statistics.arithmetic.view_vectors;
