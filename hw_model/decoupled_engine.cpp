@@ -32,10 +32,10 @@ void DecoupledEngine::run(Cycle last) {
     }
     at_rest = false;
     if (controller <= generator.at()) {
-      boxes_.controller->Stage::fire(controller_);
+      boxes_.controller->fire(controller_);
       boxes_.controller->wake();
     } else if (boxes_.generator.chooses_unit()) {
-      boxes_.generator.Stage::fire(generator);
+      boxes_.generator.fire(generator);
     } else {
       run_generator(first);
     }

@@ -7,23 +7,19 @@ IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, Cycle la
                                    const Datapath& datapath)
     : StageOf(name), latency_(latency), cost_(cost), datapath_(datapath) {}
 
-Start IntersectionUnit::next() {
-  return Start(ready()).needs_token(view_vector_generator).needs_room(pyramid_classifier);
-}
-
-void IntersectionUnit::fire(Cycle now) {
-  const RayMessage& ray = view_vector_generator->front();
+Cycle IntersectionUnit::fire(Ends& ends, Cycle now) {
+  const RayMessage& ray = ends.view_vector_generator.front();
   Work work;
   const Sample sample = nearest_hit(ray, work);
   work_ += work;
   const Cycle occupied = occupancy(work);
-  pyramid_classifier->write_made(
+  ends.pyramid_classifier.write_made(
       [&] {
         return SampleMessage{sample, ray.tag, ray.subdivision};
       },
       now, occupied - 1 + latency_);
-  view_vector_generator->pop(now);
-  occupy(now, occupied);
+  ends.view_vector_generator.pop(now);
+  return occupied;
 }
 
 Sample IntersectionUnit::nearest_hit(const RayMessage& ray, Work& work) const {

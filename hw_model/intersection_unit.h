@@ -19,13 +19,22 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   IntersectionUnit(const sc_core::sc_module_name& name, Cycle latency, const IntersectionCost& cost,
                    const Datapath& datapath);
 
-  Start next() override;
-  void fire(Cycle now) override;
   const Work& work() const { return work_; }
   /// Takes corners that the host has traced before their time from there; none: traces all itself.
   void take_corners(CornersAhead* corners_ahead) { corners_ahead_ = corners_ahead; }
 
  private:
+  friend StageOf;
+  struct Ends {
+    FifoReader<RayMessage> view_vector_generator;
+    FifoWriter<SampleMessage> pyramid_classifier;
+  };
+  Ends ends() { return {FifoReader(*view_vector_generator), FifoWriter(*pyramid_classifier)}; }
+  static Start next(Ends& ends, Cycle ready) {
+    return Start(ready).needs_token(ends.view_vector_generator).needs_room(ends.pyramid_classifier);
+  }
+  Cycle fire(Ends& ends, Cycle now);
+
   Sample nearest_hit(const RayMessage& ray, Work& work) const;
   Cycle occupancy(const Work& work) const;
 

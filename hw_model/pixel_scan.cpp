@@ -10,22 +10,22 @@ PixelScan::PixelScan(const sc_core::sc_module_name& name, StageTiming timing, co
       columns_(static_cast<std::uint32_t>(screen.columns)),
       max_level_(max_level) {}
 
-Start PixelScan::next() {
+Start PixelScan::next(Ends& ends, Cycle ready) const {
   if (row_ > rows_) return Start(never);
-  Start start(ready());
-  if (completes_pixel()) start.needs_token(tree_accumulator);
-  return start.needs_room(view_vector_generator);
+  Start start(ready);
+  if (completes_pixel()) start.needs_token(ends.tree_accumulator);
+  return start.needs_room(ends.view_vector_generator);
 }
 
-void PixelScan::fire(Cycle now) {
+Cycle PixelScan::fire(Ends& ends, Cycle now) {
   PixelTag tag;
-  if (completes_pixel()) tag = {(row_ - 1) * columns_ + column_ - 1, tree_accumulator->read(now).slot, now};
-  view_vector_generator->write({{row_ << max_level_, column_ << max_level_}, tag}, now, timing_.latency);
+  if (completes_pixel()) tag = {(row_ - 1) * columns_ + column_ - 1, ends.tree_accumulator.read(now).slot, now};
+  ends.view_vector_generator.write({{row_ << max_level_, column_ << max_level_}, tag}, now, timing_.latency);
   if (++column_ > columns_) {
     column_ = 0;
     ++row_;
   }
-  occupy(now, timing_.interval);
+  return timing_.interval;
 }
 
 template class StageOf<PixelScan>;

@@ -17,10 +17,15 @@ class PixelScan final : public StageOf<PixelScan> {
 
   PixelScan(const sc_core::sc_module_name& name, StageTiming timing, const Screen& screen, int max_level);
 
-  Start next() override;
-  void fire(Cycle now) override;
-
  private:
+  friend StageOf;
+  struct Ends {
+    FifoReader<SlotCredit> tree_accumulator;
+    FifoWriter<CornerRequest> view_vector_generator;
+  };
+  Ends ends() { return {FifoReader(*tree_accumulator), FifoWriter(*view_vector_generator)}; }
+  Start next(Ends& ends, Cycle ready) const;
+  Cycle fire(Ends& ends, Cycle now);
   bool completes_pixel() const { return row_ > 0 && column_ > 0; }
 
   StageTiming timing_;

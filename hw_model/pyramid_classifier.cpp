@@ -14,24 +14,24 @@ PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, StageT
       columns_(static_cast<std::uint32_t>(scene.camera.screen.columns)),
       corner_row_(static_cast<std::size_t>(columns_) + 2) {}
 
-Start PyramidClassifier::next() {
+Start PyramidClassifier::next(Ends& ends, Cycle ready) {
   if (!step_.known) plan();
-  Start start(ready());
+  Start start(ready);
   if (!step_.known) return await_sample(start);
   if (step_.reads_sample) {
-    if (reorder_buffer.bound()) start.needs_token(reorder_buffer);
-    start.needs_token(intersection_units[unit_]);
+    if (reorder_buffer.bound()) start.needs_token(*reorder_buffer);
+    start.needs_token(*intersection_units[unit_]);
   }
-  if (step_.reads_parent) start.needs_token(parents);
-  if (step_.to_controller()) start.needs_room(subdivision_controller);
-  if (step_.to_accumulator()) start.needs_room(tree_accumulator);
+  if (step_.reads_parent) start.needs_token(*parents);
+  if (step_.to_controller()) start.needs_room(*subdivision_controller);
+  if (step_.to_accumulator()) start.needs_room(ends.tree_accumulator);
   return start;
 }
 
 /// Nothing is known until the next sample is seen.
 Start PyramidClassifier::await_sample(Start start) const {
-  if (reorder_buffer.bound() && reorder_buffer->empty()) return start.needs_token(reorder_buffer);
-  return start.needs_token(intersection_units[unit_]);
+  if (reorder_buffer.bound() && reorder_buffer->empty()) return start.needs_token(*reorder_buffer);
+  return start.needs_token(*intersection_units[unit_]);
 }
 
 void PyramidClassifier::plan() {
@@ -91,16 +91,16 @@ void PyramidClassifier::classify_node() {
   step_.node.subdivide = subdivides(step_.which, step_.node.pyramid.level, max_level_);
 }
 
-void PyramidClassifier::fire(Cycle now) {
+Cycle PyramidClassifier::fire(Ends& ends, Cycle now) {
   if (step_.reads_parent) parent_ = parents->read(now);
   if (step_.reads_sample) {
     take_sample(now);
   } else {
     samples_ = 0;
   }
-  if (step_.has_node) emit(now);
+  if (step_.has_node) emit(ends, now);
   step_.known = false;
-  occupy(now, timing_.interval);
+  return timing_.interval;
 }
 
 void PyramidClassifier::take_sample(Cycle now) {
@@ -116,14 +116,14 @@ void PyramidClassifier::take_sample(Cycle now) {
   if (++unit_ == intersection_units.size()) unit_ = 0;
 }
 
-void PyramidClassifier::emit(Cycle now) {
+void PyramidClassifier::emit(Ends& ends, Cycle now) {
   const NodeMessage& node = step_.node;
   counts_.count(step_.which, node.pyramid.level);
   if (node.subdivide) ++counts_.subdivisions;
   if (step_.to_controller()) subdivision_controller->write(node, now, timing_.latency);
   if (!step_.to_accumulator()) return;
   ++counts_.terminal_nodes;
-  tree_accumulator->write_made(
+  ends.tree_accumulator.write_made(
       [&] {
         return TerminalMessage{palette_.terminal_color(step_.which, node.corners, leaf_), node.tag, node.pyramid.level};
       },

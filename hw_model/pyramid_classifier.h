@@ -27,14 +27,19 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   PyramidClassifier(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, const Scene& scene,
                     Leaf leaf, int max_level);
 
-  Start next() override;
-  void fire(Cycle now) override;
-
   int max_level() const { return max_level_; }
   /// Counts of cases, subdivisions and terminal nodes.
   const FrameStatistics& counts() const { return counts_; }
 
  private:
+  friend StageOf;
+  struct Ends {
+    FifoWriter<TerminalMessage> tree_accumulator;
+  };
+  Ends ends() { return {FifoWriter(*tree_accumulator)}; }
+  Start next(Ends& ends, Cycle ready);
+  Cycle fire(Ends& ends, Cycle now);
+
   /// What the next firing does, known from the data alone.
   struct Step {
     bool known = false;
@@ -53,7 +58,7 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   void plan_subpixel(std::size_t child);
   void classify_node();
   void take_sample(Cycle now);
-  void emit(Cycle now);
+  void emit(Ends& ends, Cycle now);
 
   StageTiming timing_;
   Palette palette_;

@@ -23,8 +23,8 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, Dispatch dispatch,
                       const Datapath& datapath, int max_level);
 
-  Start next() override;
-  void fire(Cycle now) override;
+  using StageOf::fire;
+  using StageOf::next;
   bool chooses_by_arrival() const override { return true; }
 
   /// Whether no token that is still unseen could be a corner that goes first.
@@ -41,7 +41,14 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   const std::array<std::uint64_t, max_level_limit + 1>& rays_by_level() const { return rays_by_level_; }
 
  private:
-  bool request_goes_first();
+  friend StageOf;
+  struct Ends {
+    FifoReader<CornerRequest> pixel_scan;
+  };
+  Ends ends() { return {FifoReader(*pixel_scan)}; }
+  Start next(Ends& ends, Cycle ready);
+  Cycle fire(Ends& ends, Cycle now);
+  bool request_goes_first(Ends& ends, Cycle ready);
   Start with_room(Start start);
   Start with_free_unit(Start start);
   void issue(GridPoint point, std::uint32_t level, const PixelTag& tag, Cycle now);

@@ -17,7 +17,8 @@ std::string stage_line(Stage& stage) {
   if (start.known()) {
     what = fmt::format("fires at {}", start.at());
   } else if (start.cause() != nullptr) {
-    what = fmt::format("waits for {} {}", start.starved() ? "a token from" : "room in", start.cause()->basename());
+    what = fmt::format("waits for {} {}", start.cause()->starved ? "a token from" : "room in",
+                       start.cause()->fifo.basename());
   }
   return fmt::format("  {}: ready at {}, {}\n", stage.basename(), stage.ready(), what);
 }
@@ -26,8 +27,8 @@ std::string stage_line(Stage& stage) {
 Stage* waits_for(const Processor& processor, Stage& stage) {
   const Start start = stage.next();
   if (start.known() || start.cause() == nullptr) return nullptr;
-  const Wire& wire = processor.wire_of(*start.cause());
-  return start.starved() ? wire.writer : wire.reader;
+  const Wire& wire = processor.wire_of(start.cause()->fifo);
+  return start.cause()->starved ? wire.writer : wire.reader;
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ struct Bench {
   /// Lets the controller fire until it waits; the parents of the requests that it issues, in order.
   std::vector<NodeMessage> issued() {
     for (Start start = controller.next(); start.known(); start = controller.next()) {
-      controller.Stage::fire(start);
+      controller.fire(start);
       now = std::max(now, controller.ready());
     }
     std::vector<NodeMessage> all;
