@@ -61,7 +61,7 @@ class LatencyHistogram {
 
   /// The leading bit and the `fine_bits` below it.
   static std::size_t class_of(Cycle latency) {
-    const int octave = std::max(0, static_cast<int>(std::bit_width(latency)) - 1 - fine_bits);
+    const int octave = static_cast<int>(std::bit_width(latency | Cycle{1} << fine_bits)) - 1 - fine_bits;
     return (static_cast<std::size_t>(octave) << fine_bits) + static_cast<std::size_t>(latency >> octave);
   }
   static Cycle last_of(std::size_t k) {

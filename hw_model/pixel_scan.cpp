@@ -18,9 +18,13 @@ Start PixelScan::next(Ends& ends, Cycle ready) const {
 }
 
 Cycle PixelScan::fire(Ends& ends, Cycle now) {
-  PixelTag tag;
-  if (completes_pixel()) tag = {(row_ - 1) * columns_ + column_ - 1, ends.tree_accumulator.read(now).slot, now};
-  ends.view_vector_generator.write({{row_ << max_level_, column_ << max_level_}, tag}, now, timing_.latency);
+  ends.view_vector_generator.write_made(
+      [&] {
+        const GridPoint point{row_ << max_level_, column_ << max_level_};
+        if (!completes_pixel()) return CornerRequest{point, {}};
+        return CornerRequest{point, {pixel_++, ends.tree_accumulator.read(now).slot, now}};
+      },
+      now, timing_.latency);
   if (++column_ > columns_) {
     column_ = 0;
     ++row_;

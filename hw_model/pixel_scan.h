@@ -34,6 +34,7 @@ class PixelScan final : public StageOf<PixelScan> {
   int max_level_;
   std::uint32_t row_ = 0;  ///< of corners, 0 to rows_
   std::uint32_t column_ = 0;
+  std::uint32_t pixel_ = 0;  ///< that is completed next
 };
 
 extern template class StageOf<PixelScan>;

@@ -66,8 +66,9 @@ Cycle ViewVectorGenerator::fire(Ends& ends, Cycle now) {
     issue(subdivision_point(request_, subdivision_rays - rays_left_, max_level_), request_.level + 1, {}, now);
     --rays_left_;
   } else {
-    const CornerRequest corner = ends.pixel_scan.read(now);
+    const CornerRequest& corner = ends.pixel_scan.front();
     issue(corner.point, 0, corner.tag, now);
+    ends.pixel_scan.pop(now);
   }
   return timing_.interval;
 }
