@@ -9,10 +9,10 @@ IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, Cycle la
 
 Cycle IntersectionUnit::fire(Ends& ends, Cycle now) {
   const RayMessage& ray = ends.view_vector_generator.front();
-  Work work;
-  const Sample sample = nearest_hit(ray, work);
-  work_ += work;
-  const Cycle occupied = occupancy(work);
+  const Sample sample = nearest_hit(ray, work_);
+  const Cycle tests = cost_of_tests();
+  const Cycle occupied = cost_.ray + tests - tests_;
+  tests_ = tests;
   ends.pyramid_classifier.write_made(
       [&] {
         return SampleMessage{sample, ray.tag, ray.subdivision};
@@ -27,10 +27,10 @@ Sample IntersectionUnit::nearest_hit(const RayMessage& ray, Work& work) const {
   return datapath_.trace(ray.view_vector, work);
 }
 
-Cycle IntersectionUnit::occupancy(const Work& work) const {
-  Cycle cycles = cost_.ray + cost_.box_test * work.box_tests;
+Cycle IntersectionUnit::cost_of_tests() const {
+  Cycle cycles = cost_.box_test * work_.box_tests;
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
-    cycles += cost_.surface_test[kind] * work.surface_tests[kind];
+    cycles += cost_.surface_test[kind] * work_.surface_tests[kind];
   }
   return cycles;
 }

@@ -36,13 +36,15 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   Cycle fire(Ends& ends, Cycle now);
 
   Sample nearest_hit(const RayMessage& ray, Work& work) const;
-  Cycle occupancy(const Work& work) const;
+  /// In cycles, of all tests so far.
+  Cycle cost_of_tests() const;
 
   Cycle latency_;
   IntersectionCost cost_;
   const Datapath& datapath_;
   CornersAhead* corners_ahead_ = nullptr;
   Work work_;
+  Cycle tests_ = 0;  ///< cost_of_tests() before the ray
 };
 
 extern template class StageOf<IntersectionUnit>;
