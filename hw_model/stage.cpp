@@ -42,10 +42,10 @@ void Stage::lockstep(Cycle last) {
   Cycle now = 0;
   for (;;) {
     sleep();
-    const Start start = next();
+    const Start start = next_start();
     if (start.known() && start.at() > last) return;
     if (start.at() == now) {
-      fire(start);
+      fire_at(start);
       continue;
     }
     if (!start.known()) {

@@ -71,9 +71,9 @@ class WorkList;
 class Stage : public sc_core::sc_module, public FifoEnd {
  public:
   /// The next firing, from what is known.
-  virtual Start next() = 0;
-  /// Fires at `start` = next(), and accounts for the wait that ends with it.
-  virtual void fire(const Start& start) = 0;
+  virtual Start next_start() = 0;
+  /// Fires at `start` = next_start(), and accounts for the wait that ends with it.
+  virtual void fire_at(const Start& start) = 0;
   /// Fires while the next firing is known; then sleeps.
   virtual void drain() = 0;
   /// Whether the stage chooses by what has arrived first; then an unseen token can change its next firing.
@@ -152,11 +152,11 @@ class WorkList {
 template <class Derived>
 class StageOf : public Stage {
  public:
-  Start next() final {
+  Start next_start() final {
     auto ends = derived().ends();
     return derived().next(ends, ready());
   }
-  void fire(const Start& start) final {
+  void fire_at(const Start& start) final {
     auto ends = derived().ends();
     book(start, derived().fire(ends, start.at()));
   }
@@ -173,9 +173,9 @@ class StageOf : public Stage {
 
   /// Fires, if that is before `horizon`. Returns whether it did.
   [[gnu::noinline]] bool fire_one(Cycle horizon) {
-    const Start start = next();
+    const Start start = next_start();
     if (start.at() >= horizon) return false;
-    fire(start);
+    fire_at(start);
     return true;
   }
   /// Fires before `horizon`, and again for as long as `goes_on(ends)`. Returns whether it fired at all. Not where

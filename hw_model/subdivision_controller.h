@@ -26,8 +26,6 @@ class SubdivisionController final : public StageOf<SubdivisionController> {
 
   SubdivisionController(const sc_core::sc_module_name& name, StageTiming timing, std::size_t pool, int max_level);
 
-  using StageOf::fire;
-  using StageOf::next;
   bool chooses_by_arrival() const override { return true; }
 
   std::size_t pool_depth() const { return pool_; }

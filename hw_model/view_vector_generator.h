@@ -23,8 +23,6 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, Dispatch dispatch,
                       const Datapath& datapath, int max_level);
 
-  using StageOf::fire;
-  using StageOf::next;
   bool chooses_by_arrival() const override { return true; }
 
   /// Whether no token that is still unseen could be a corner that goes first.
@@ -33,7 +31,7 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   bool chooses_unit() const { return dispatch_ == Dispatch::first_free; }
   /// Fires before `horizon`: until the next corner is not seen, or with the first ray of a request, whose reading makes
   /// room for another. Returns whether it fired at all. Requires that whatever could still come to be seen comes later
-  /// than next().
+  /// than next_start().
   bool fire_before(Cycle horizon);
   /// That the next ray goes to, where the generator does not choose.
   std::size_t next_unit() const { return unit_; }

@@ -12,7 +12,7 @@ namespace pyrasim::hw {
 namespace {
 
 std::string stage_line(Stage& stage) {
-  const Start start = stage.next();
+  const Start start = stage.next_start();
   std::string what = "has nothing to do";
   if (start.known()) {
     what = fmt::format("fires at {}", start.at());
@@ -25,7 +25,7 @@ std::string stage_line(Stage& stage) {
 
 /// The stage that has to fire before `stage` can; none where it waits for nothing.
 Stage* waits_for(const Processor& processor, Stage& stage) {
-  const Start start = stage.next();
+  const Start start = stage.next_start();
   if (start.known() || start.cause() == nullptr) return nullptr;
   const Wire& wire = processor.wire_of(start.cause()->fifo);
   return start.cause()->starved ? wire.writer : wire.reader;
