@@ -18,10 +18,15 @@ class PixelScan final : public StageOf<PixelScan> {
 
   PixelScan(const sc_core::sc_module_name& name, StageTiming timing, const PixelWindow& window, int max_level);
 
-  Start next() override;
-  void fire(Cycle now) override;
-
  private:
+  friend StageOf;
+  struct Ends {
+    FifoReader<SlotCredit> tree_accumulator;
+    FifoWriter<CornerRequest> view_vector_generator;
+  };
+  Ends ends() { return {FifoReader(*tree_accumulator), FifoWriter(*view_vector_generator)}; }
+  Start next(Ends& ends, Cycle ready) const;
+  Cycle fire(Ends& ends, Cycle now);
   bool completes_pixel() const { return row_ > 0 && column_ > 0; }
 
   StageTiming timing_;
@@ -31,6 +36,7 @@ class PixelScan final : public StageOf<PixelScan> {
   int max_level_;
   std::uint32_t row_ = 0;  ///< of corners, 0 to rows_
   std::uint32_t column_ = 0;
+  std::uint32_t pixel_ = 0;  ///< that is completed next
 };
 
 extern template class StageOf<PixelScan>;

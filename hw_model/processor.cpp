@@ -187,7 +187,7 @@ FrameStatistics Processor::statistics() const {
 }
 
 bool Processor::at_rest() const {
-  return std::none_of(stages_.begin(), stages_.end(), [](Stage* stage) { return stage->next().known(); });
+  return std::none_of(stages_.begin(), stages_.end(), [](Stage* stage) { return stage->next_start().known(); });
 }
 
 const Wire& Processor::wire_of(const FifoBase& fifo) const {

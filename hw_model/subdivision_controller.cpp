@@ -10,9 +10,10 @@ SubdivisionController::SubdivisionController(const sc_core::sc_module_name& name
                                              int max_level)
     : StageOf(name), timing_(timing), pool_(pool), max_level_(max_level) {}
 
-Start SubdivisionController::next() {
-  const Start accept = Start(ready()).needs_token(pyramid_classifier);
-  const Start issue = can_issue() ? Start(ready()).needs_room(view_vector_generator).needs_room(parents) : Start(never);
+Start SubdivisionController::next(Ends& ends, Cycle ready) {
+  const Start accept = Start(ready).needs_token(ends.pyramid_classifier);
+  const Start issue =
+      can_issue() ? Start(ready).needs_room(ends.view_vector_generator).needs_room(ends.parents) : Start(never);
   accepts_ = accept.at() <= issue.at();
   return accepts_ ? accept : issue;
 }
@@ -33,14 +34,14 @@ std::size_t SubdivisionController::pool_needed() const {
   return 3 * (static_cast<std::size_t>(max_level_) - 1 - level) + (from_pool ? 0 : 1);
 }
 
-void SubdivisionController::fire(Cycle now) {
+Cycle SubdivisionController::fire(Ends& ends, Cycle now) {
   if (accepts_) {
-    accept(pyramid_classifier->front());
-    pyramid_classifier->pop(now);
+    accept(ends.pyramid_classifier.front());
+    ends.pyramid_classifier.pop(now);
   } else {
-    issue(now);
+    issue(ends, now);
   }
-  occupy(now, timing_.interval);
+  return timing_.interval;
 }
 
 void SubdivisionController::accept(const NodeMessage& node) {
@@ -59,7 +60,7 @@ void SubdivisionController::accept(const NodeMessage& node) {
   }
 }
 
-void SubdivisionController::issue(Cycle now) {
+void SubdivisionController::issue(Ends& ends, Cycle now) {
   NodeMessage node;
   if (subpixels_.empty()) {
     node = pixels_.front();
@@ -71,8 +72,8 @@ void SubdivisionController::issue(Cycle now) {
   if (family_returns(node.pyramid.level)) reserved_ += 4;
   most_used_ = std::max(most_used_, subpixels_.size() + reserved_);
   assert(most_used_ <= pool_);
-  view_vector_generator->write({node.pyramid}, now, timing_.latency);
-  parents->write(node, now, timing_.latency);
+  ends.view_vector_generator.write({node.pyramid}, now, timing_.latency);
+  ends.parents.write(node, now, timing_.latency);
 }
 
 }  // namespace pyrasim::hw

@@ -14,7 +14,8 @@ namespace {
 /// What `stage` waits for outside of itself.
 std::string waits_line(const Start& start) {
   if (start.cause() == nullptr) return "has nothing to do";
-  return fmt::format("waits for {} {}", start.starved() ? "a token from" : "room in", start.cause()->basename());
+  return fmt::format("waits for {} {}", start.cause()->starved ? "a token from" : "room in",
+                     start.cause()->fifo.basename());
 }
 
 /// A node waits in the controller, and the banker's rule lets none go.
@@ -23,7 +24,7 @@ bool lacks_room(const SubdivisionController& controller) {
 }
 
 std::string stage_line(const Processor& processor, Stage& stage) {
-  const Start start = stage.next();
+  const Start start = stage.next_start();
   const SubdivisionController* controller = processor.controller();
   std::string what = waits_line(start);
   if (start.known()) {
@@ -37,10 +38,10 @@ std::string stage_line(const Processor& processor, Stage& stage) {
 
 /// The stage that has to fire before `stage` can; none where it waits for nothing.
 Stage* waits_for(const Processor& processor, Stage& stage) {
-  const Start start = stage.next();
+  const Start start = stage.next_start();
   if (start.known() || start.cause() == nullptr) return nullptr;
-  const Wire& wire = processor.wire_of(*start.cause());
-  return start.starved() ? wire.writer : wire.reader;
+  const Wire& wire = processor.wire_of(start.cause()->fifo);
+  return start.cause()->starved ? wire.writer : wire.reader;
 }
 
 }  // namespace

@@ -89,8 +89,8 @@ struct Bench {
 
   /// Lets the controller fire until it waits; the parents of the requests that it issues, in order.
   std::vector<NodeMessage> issued() {
-    for (Start start = controller.next(); start.known(); start = controller.next()) {
-      controller.Stage::fire(start);
+    for (Start start = controller.next_start(); start.known(); start = controller.next_start()) {
+      controller.fire_at(start);
       now = std::max(now, controller.ready());
     }
     std::vector<NodeMessage> all;
