@@ -134,8 +134,9 @@ class WorkList {
   void add(Stage& stage) { stages_.push_back(&stage); }
   /// Lets stages fire until none that is awake has a known next firing.
   void run() {
-    for (std::size_t next = 0; next < stages_.size(); ++next) {  // more may come
-      if (stages_[next]->awake()) stages_[next]->drain();
+    for (std::size_t next = 0; next < stages_.size();) {  // more may come
+      Stage& stage = *stages_[next++];
+      if (stage.awake()) stage.drain();
     }
     stages_.clear();
   }
