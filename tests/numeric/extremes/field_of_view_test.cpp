@@ -67,12 +67,14 @@ Scene spheres_in_view(double degrees) {
 }
 
 /// Each corner of the screen's pixels, in formats that tell them apart, sees what it must: what the oracle sees along
-/// the same view vector, but where that passes a sphere's outline by less than 8 roundings of the distance.
+/// the same view vector, but where that passes a sphere's outline by less than 8 roundings of the distance. Formats in
+/// which that is more than a pixel have no picture of such a view: the rounding of centres moves spheres by as much.
 void expect_as_the_oracle(double degrees) {
   const Scene scene = spheres_in_view(degrees);
   for_every_format([&]<class Scalar>() {
     const NumberFormat format = FormatOf<Scalar>::value;
-    if (!is_floating<Scalar> || significand_bits<Scalar> < 16) return;
+    const double roundings = std::ldexp(8, -significand_bits<Scalar>);
+    if (!is_floating<Scalar> || roundings > scene.camera.screen.dy) return;
     const SceneTracer<Scalar> tracer(scene);
     const ViewVectors view_vectors(scene.camera.screen, 1, format);
     int hits = 0;
@@ -83,7 +85,7 @@ void expect_as_the_oracle(double degrees) {
         Work work;
         const auto seen = tracer.trace(v, work).object;
         const Exact exact = nearest_sphere(scene, v);
-        if (exact.margin < std::ldexp(8, -significand_bits<Scalar>)) {
+        if (exact.margin < roundings) {
           ++doubtful;
           continue;
         }
@@ -92,7 +94,7 @@ void expect_as_the_oracle(double degrees) {
       }
     }
     print_figure(fmt::format("{} degrees", degrees), format, fmt::format("{} hits, {} doubtful", hits, doubtful));
-    EXPECT_GE(hits + doubtful, 20);
+    EXPECT_GE(hits, 10);
   });
 }
 
@@ -101,9 +103,10 @@ TEST(ExtremesFieldOfView, OneHundredAndSeventyNineDegrees) { expect_as_the_oracl
 
 /// A sphere that fills the view, from outside, nearly touching, and from inside: every pixel is its color, unsplit.
 TEST(ExtremesFieldOfView, ASphereThatFillsIt) {
-  for (const auto& [degrees, sphere] :
-       {std::pair(0.001, Sphere{{1e5, 0, 0}, 10}), {60.0, Sphere{{100, 0, 0}, 90}}, {179.0, Sphere{{100, 0, 0}, 99.999}},
-        {179.0, Sphere{{1, 0.5, 0}, 3}}}) {
+  for (const auto& [degrees, sphere] : {std::pair(0.001, Sphere{{1e5, 0, 0}, 10}),
+                                        {60.0, Sphere{{100, 0, 0}, 90}},
+                                        {179.0, Sphere{{100, 0, 0}, 99.999}},
+                                        {179.0, Sphere{{1, 0.5, 0}, 3}}}) {
     Scene scene = empty_scene(1, 1, 1);
     scene.camera.screen = screen_of(degrees);
     scene.objects = {object(sphere, {0.25, 0.5, 1})};

@@ -74,8 +74,7 @@ TEST(ExtremesMetamorphic, ExchangedAxesMakeATransposedPicture) {
 TEST(ExtremesMetamorphic, TheWorldsAxesDoNotMatter) {
   const Scene scene = lit_scene(43);
   const Image image = picture(scene, {}, 1);
-  const Image mirrored =
-      rearranged(image, columns, rows, [](int r, int c) { return std::pair(r, columns - 1 - c); });
+  const Image mirrored = rearranged(image, columns, rows, [](int r, int c) { return std::pair(r, columns - 1 - c); });
   for (const auto& [x, y, z] : {std::tuple(0, 1, 2), {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}) {
     for (int signs = 0; signs < 8; ++signs) {
       const auto map = [&, x = x, y = y, z = z](const glm::dvec3& v) {

@@ -20,11 +20,14 @@ class ExtremesNoNan : public testing::TestWithParam<const char*> {};
 TEST_P(ExtremesNoNan, PixelsOfShippedScenes) {
   Scene scene = load_scene(std::string(PYRASIM_SOURCE_DIR) + "/scenes/" + GetParam() + ".json");
   scene.camera.screen = resized(scene.camera.screen, 24, 18);
+  const bool large = std::string(GetParam()) == "bunny";
   for (const NumberFormat& format : number_formats()) {
+    // The large mesh takes a while to prepare: it is seen in the formats with the fewest bits and in the host's.
+    if (large && format.significand_bits > 11 && format.bits > 24 && format.kind != NumberKind::processor) continue;
     EXPECT_EQ(pixels_without_a_color(picture(scene, format)), 0) << format.name();
   }
 }
-INSTANTIATE_TEST_SUITE_P(Scenes, ExtremesNoNan, testing::Values("spheres", "fins", "keel"),
+INSTANTIATE_TEST_SUITE_P(Scenes, ExtremesNoNan, testing::Values("spheres", "fins", "keel", "bunny"),
                          [](const auto& test) { return std::string(test.param); });
 
 /// Everything that makes narrow formats overflow, underflow or divide by 0 at once: surfaces through the observer,
@@ -49,6 +52,19 @@ TEST(ExtremesNoNanPixels, OfSurfacesThroughTheObserver) {
         EXPECT_EQ(pixels_without_a_color(picture(one, format, 0)), 0) << format.name() << " " << half_width;
       }
     }
+  }
+}
+
+/// Subnormal coordinates are read as they are: a triangle of 1e-310 is a small triangle, with a normal.
+TEST(ExtremesNoNanPixels, OfSubnormalTriangles) {
+  Scene scene = empty_scene(16, 16, 0.1);
+  scene.light = Light{0.25, {0.6, -1, 0.4}};
+  for (const double size : {1e-305, 1e-310, 4e-322}) {
+    scene.objects = {object(Triangle{{{{size, -size, -size}, {size, size, -size}, {size, 0, size}}}})};
+    const Image expected = picture(scene, {}, 0);
+    EXPECT_EQ(pixels_without_a_color(expected), 0) << size;
+    EXPECT_EQ(expected.at(8, 8), glm::vec3(1, 1, 1) * expected.at(8, 8).x) << size;
+    EXPECT_NE(expected.at(8, 8), glm::vec3(scene.background)) << size;
   }
 }
 
