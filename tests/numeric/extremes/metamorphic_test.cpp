@@ -69,6 +69,25 @@ TEST(ExtremesMetamorphic, ExchangedAxesMakeATransposedPicture) {
   }
 }
 
+/// Nor do the last bits of a pyramid's color, which a picture's 24 bits seldom show.
+TEST(ExtremesMetamorphic, APyramidsColorDoesNotDependOnHowItsCornersAreTurned) {
+  Scene scene = empty_scene(1, 1, 1);
+  scene.objects = {object(Sphere{{5, 0, 0}, 1}, {max_color, 1, 0.3})};
+  const Palette palette(scene);
+  Random random(46);
+  for (int k = 0; k < 1000; ++k) {
+    CornerSamples corners;
+    for (Sample& corner : corners) corner = {0, random.uniform(0, 1)};
+    const auto color = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+      return palette.terminal_color(PyramidCase::covered, {corners[a], corners[b], corners[c], corners[d]}, Leaf::mean);
+    };
+    const FixedColor expected = color(0, 1, 2, 3);
+    EXPECT_EQ(color(2, 3, 0, 1), expected);  // upside down
+    EXPECT_EQ(color(1, 0, 3, 2), expected);  // left to right
+    EXPECT_EQ(color(0, 2, 1, 3), expected);  // transposed
+  }
+}
+
 /// The world's axes permuted and mirrored, 48 ways, the camera with them. Half of them turn the world, and the picture
 /// is the same; the others mirror it.
 TEST(ExtremesMetamorphic, TheWorldsAxesDoNotMatter) {
