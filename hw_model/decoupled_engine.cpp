@@ -15,12 +15,12 @@ DecoupledEngine::DecoupledEngine(std::vector<Stage*> stages, Boxes boxes, const 
   for (Stage* stage : stages_) stage->attach(work_);
 }
 
-void DecoupledEngine::run(Cycle last) {
+void DecoupledEngine::run(const Cycle& last) {
   for (Stage* stage : stages_) stage->wake();
   bool at_rest = false;
   for (;;) {
     settle();
-    const Start generator = boxes_.generator.next();
+    const Start generator = boxes_.generator.next_start();
     const Cycle controller = controller_date();
     const Cycle first = std::min(generator.at(), controller);
     if (first == never || first > last) {
@@ -32,10 +32,10 @@ void DecoupledEngine::run(Cycle last) {
     }
     at_rest = false;
     if (controller <= generator.at()) {
-      boxes_.controller->Stage::fire(controller_);
+      boxes_.controller->fire_at(controller_);
       boxes_.controller->wake();
     } else if (boxes_.generator.chooses_unit()) {
-      boxes_.generator.Stage::fire(generator);
+      boxes_.generator.fire_at(generator);
     } else {
       run_generator(first);
     }
@@ -57,7 +57,7 @@ void DecoupledEngine::settle() {
 Cycle DecoupledEngine::controller_date() {
   if (boxes_.controller != nullptr && boxes_.controller->awake()) {
     boxes_.controller->sleep();
-    controller_ = boxes_.controller->next();
+    controller_ = boxes_.controller->next_start();
   }
   return controller_.at();
 }

@@ -34,8 +34,8 @@ class DecoupledEngine {
 
   DecoupledEngine(std::vector<Stage*> stages, Boxes boxes, const MachineSpec& spec);
 
-  /// Runs until no stage can fire, or the two that choose could only fire after `last`.
-  void run(Cycle last);
+  /// Runs until no stage can fire, or the two that choose could only fire after `last`, which may change meanwhile.
+  void run(const Cycle& last);
 
  private:
   void settle();

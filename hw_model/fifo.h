@@ -50,76 +50,93 @@ struct FifoStatistics {
   Cycle blocked = 0;               ///< cycles that the writer waited for room in here
 };
 
+class FifoBase;
+
+/// What a stage can wait for in a FIFO.
+struct WaitCounter {
+  const FifoBase& fifo;
+  bool starved;      ///< a token; else room
+  Cycle cycles = 0;  ///< spent waiting for it
+};
+
 /// Everything about a FIFO but its tokens.
 class FifoBase : public sc_core::sc_prim_channel, public sc_core::sc_interface {
  public:
-  FifoBase(const char* name, std::size_t depth) : sc_prim_channel(name) {
-    assert(depth >= 1);
-    statistics_.depth = depth;
-  }
+  FifoBase(const char* name, std::size_t depth) : sc_prim_channel(name), depth_(depth) { assert(depth >= 1); }
+
+  std::size_t depth() const { return depth_; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  bool full() const { return size_ == depth_; }
 
   /// Of the tokens that have been read so far.
-  const FifoStatistics& statistics() const { return statistics_; }
+  FifoStatistics statistics() const {
+    return {depth_, tokens_ == 0 ? 0 : max_, token_cycles_, tokens_, starved_.cycles, blocked_.cycles};
+  }
   /// Of a frame of `cycles` cycles that is over: with the tokens that nobody read.
   virtual FifoStatistics statistics(Cycle cycles) const = 0;
-  void count_starved(Cycle cycles) { statistics_.starved += cycles; }
-  void count_blocked(Cycle cycles) { statistics_.blocked += cycles; }
+  WaitCounter& starved() { return starved_; }
+  WaitCounter& blocked() { return blocked_; }
+
   void connect(FifoEnd& writer, FifoEnd& reader) {
     writer_ = &writer;
     reader_ = &reader;
   }
   /// The reader is told of a token only when it fills the FIFO. For a reader that can wait: it then reads many at once.
-  void wake_reader_when_full() { wake_reader_at_ = statistics_.depth; }
+  void wake_reader_when_full() { wake_reader_at_ = depth_; }
   /// Several observers may look on.
-  void observe(FifoObserver& observer) {
-    observers_.push_back(&observer);
-    observed_ = true;
-  }
-  void ignore(FifoObserver& observer) {
-    std::erase(observers_, &observer);
-    observed_ = !observers_.empty();
-  }
-
-  std::size_t size() const { return size_; }
-  bool empty() const { return size_ == 0; }
-  bool full() const { return size_ == statistics_.depth; }
+  void observe(FifoObserver& observer) { observers_.push_back(&observer); }
+  void ignore(FifoObserver& observer) { std::erase(observers_, &observer); }
 
   const char* kind() const override { return "pyrasim::hw::Fifo"; }
 
  protected:
-  void note_write(Cycle now) {
-    ++size_;
-    if (observed_) {
-      for (FifoObserver* observer : observers_) observer->written(now);
-    }
-    if (size_ == wake_reader_at_ && reader_ != nullptr) reader_->wake();
+  bool observed() const { return !observers_.empty(); }
+  void tell_of_write(Cycle at) const {
+    for (FifoObserver* observer : observers_) observer->written(at);
+  }
+  void tell_of_read(Cycle at) const {
+    for (FifoObserver* observer : observers_) observer->read(at);
   }
 
-  void note_read(Cycle now, Cycle written_at) {
-    statistics_.token_cycles += now + 1 - written_at;
-    ++statistics_.tokens;
+  /// Takes note that so many tokens have been written.
+  void note_writes(std::size_t tokens) {
+    const bool reached = size_ < wake_reader_at_ && size_ + tokens >= wake_reader_at_;
+    size_ += tokens;
+    if (reached && reader_ != nullptr) reader_->wake();
+  }
+  /// Takes note that so many tokens, at least one, have been read.
+  void note_reads(std::size_t tokens) {
     const bool was_full = full();
-    --size_;
-    if (observed_) {
-      for (FifoObserver* observer : observers_) observer->read(now);
-    }
+    tokens_ += tokens;
+    size_ -= tokens;
     if (was_full && writer_ != nullptr) writer_->wake();
   }
 
-  void note_size(std::size_t tokens) { statistics_.max = std::max(statistics_.max, tokens); }
+  std::size_t max_ = 1;  ///< most tokens at once, of those that have been read; 1 where there is none
+  std::uint64_t token_cycles_ = 0;
 
  private:
-  FifoStatistics statistics_;
+  std::size_t depth_;
   std::size_t size_ = 0;            ///< tokens
   std::size_t wake_reader_at_ = 1;  ///< tokens
+  std::uint64_t tokens_ = 0;        ///< that were read
+  WaitCounter starved_{*this, true};
+  WaitCounter blocked_{*this, false};
   FifoEnd* writer_ = nullptr;
   FifoEnd* reader_ = nullptr;
-  bool observed_ = false;
   std::vector<FifoObserver*> observers_;
 };
 
+template <class Message>
+class FifoReader;
+template <class Message>
+class FifoWriter;
+
 /// One writer, one reader. A token written at t with a latency of l >= 1 cycles can be read from t + l; a cell that is
 /// read at t can be written again from t + 1.
+///
+/// The functions here read or write a single token; FifoReader and FifoWriter are for many in a row.
 template <class Message>
 class Fifo final : public FifoBase {
  public:
@@ -135,28 +152,151 @@ class Fifo final : public FifoBase {
     assert(!empty());
     return read_->message;
   }
-
   /// Frees the cell of the next token, which has been looked at with front().
-  void pop(Cycle now) {
-    assert(!empty() && now >= read_->visible);
-    if (statistics().max < statistics().depth) note_size_at(read_->written);
-    const Cycle written = read_->written;
-    read_->freed = now + 1;
-    read_ = following(read_);
-    note_read(now, written);
+  void pop(Cycle now) { FifoReader<Message>(*this).pop(now); }
+  Message read(Cycle now) { return FifoReader<Message>(*this).read(now); }
+
+  /// Puts in a token that is there when the frame begins.
+  void preload(const Message& message) {
+    FifoWriter<Message>(*this).put([&] { return message; }, 0, 0);
+  }
+  void write(const Message& message, Cycle now, Cycle latency) {
+    FifoWriter<Message>(*this).write(message, now, latency);
+  }
+  /// See FifoWriter.
+  template <class Make>
+  void write_made(const Make& make, Cycle now, Cycle latency) {
+    FifoWriter<Message>(*this).write_made(make, now, latency);
   }
 
+  using FifoBase::statistics;
+  FifoStatistics statistics(Cycle cycles) const override {
+    FifoStatistics statistics = this->statistics();
+    std::size_t max = max_;
+    const Cell* before = before_;
+    const Cell* token = read_;
+    for (std::size_t unread = 1; unread <= size(); ++unread, token = following(token)) {
+      if (max < unread || before->freed > token->written) {
+        ++max;
+      } else {
+        before = following(before);
+      }
+      statistics.max = max;
+      statistics.token_cycles += cycles - token->written;
+    }
+    return statistics;
+  }
+
+ private:
+  friend FifoReader<Message>;
+  friend FifoWriter<Message>;
+
+  struct Cell {
+    Message message;
+    Cycle written;
+    Cycle visible;
+    Cycle freed = 0;  ///< the cycle after that of its last read
+  };
+
+  [[gnu::noinline]] void tell_of_writes(std::size_t tokens) const {
+    for (const Cell* cell = write_; tokens > 0; --tokens, cell = following(cell)) tell_of_write(cell->written);
+  }
+  [[gnu::noinline]] void tell_of_reads(std::size_t tokens) const {
+    for (const Cell* cell = read_; tokens > 0; --tokens, cell = following(cell)) tell_of_read(cell->freed - 1);
+  }
+
+  template <class Pointer>
+  Pointer following(Pointer cell) const {
+    return cell == last_ ? Pointer{first_} : cell + 1;
+  }
+
+  std::vector<Cell> cells_;  ///< a ring
+  Cell* first_ = &cells_.front();
+  Cell* last_ = &cells_.back();
+  Cell* write_ = first_;
+  Cell* read_ = first_;
+  Cell* before_ = last_;  ///< the cell of the token that lies max_ before the one that is read next
+};
+
+/// The reader's end of a FIFO while its stage fires: keeps at hand what every token changes, and gives it back to the
+/// FIFO in the end, when the writer is told as well. Meanwhile nobody else uses the FIFO.
+template <class Message>
+class FifoReader {
+ public:
+  explicit FifoReader(Fifo<Message>& fifo)
+      : fifo_(fifo),
+        unread_(fifo.size()),
+        read_(fifo.read_),
+        before_(fifo.before_),
+        max_(fifo.max_),
+        token_cycles_(fifo.token_cycles_) {}
+  FifoReader(const FifoReader&) = delete;
+  FifoReader& operator=(const FifoReader&) = delete;
+  ~FifoReader() {
+    const std::size_t read = fifo_.size() - unread_;
+    if (read == 0) return;
+    if (fifo_.observed()) fifo_.tell_of_reads(read);
+    fifo_.read_ = read_;
+    fifo_.before_ = before_;
+    fifo_.max_ = max_;
+    fifo_.token_cycles_ = token_cycles_;
+    fifo_.note_reads(read);
+  }
+
+  // As those of Fifo.
+  bool empty() const { return unread_ == 0; }
+  Cycle token() const { return empty() ? never : read_->visible; }
+  const Message& front() const {
+    assert(!empty());
+    return read_->message;
+  }
   Message read(Cycle now) {
     const Message message = front();
     pop(now);
     return message;
   }
+  void pop(Cycle now) {
+    assert(!empty() && now >= read_->visible);
+    if (before_->freed > read_->written) {  // that token was still there
+      ++max_;
+    } else {
+      before_ = fifo_.following(before_);
+    }
+    read_->freed = now + 1;
+    token_cycles_ += read_->freed - read_->written;
+    read_ = fifo_.following(read_);
+    --unread_;
+  }
+  WaitCounter& starved() const { return fifo_.starved(); }
 
-  /// Puts in a token that is there when the frame begins.
-  void preload(const Message& message) {
-    put([&] { return message; }, 0, 0);
+ private:
+  using Cell = typename Fifo<Message>::Cell;
+
+  Fifo<Message>& fifo_;
+  std::size_t unread_;
+  Cell* read_;
+  Cell* before_;
+  std::size_t max_;
+  std::uint64_t token_cycles_;
+};
+
+/// The writer's end, likewise.
+template <class Message>
+class FifoWriter {
+ public:
+  explicit FifoWriter(Fifo<Message>& fifo) : fifo_(fifo), free_(fifo.depth() - fifo.size()), write_(fifo.write_) {}
+  FifoWriter(const FifoWriter&) = delete;
+  FifoWriter& operator=(const FifoWriter&) = delete;
+  ~FifoWriter() {
+    const std::size_t written = fifo_.depth() - free_ - fifo_.size();
+    if (written == 0) return;
+    if (fifo_.observed()) fifo_.tell_of_writes(written);
+    fifo_.write_ = write_;
+    fifo_.note_writes(written);
   }
 
+  // As those of Fifo.
+  Cycle room() const { return free_ == 0 ? never : write_->freed; }
   void write(const Message& message, Cycle now, Cycle latency) {
     write_made([&] { return message; }, now, latency);
   }
@@ -167,55 +307,24 @@ class Fifo final : public FifoBase {
     assert(latency >= 1 && now >= room());
     put(make, now, now + latency);
   }
-
-  using FifoBase::statistics;
-  FifoStatistics statistics(Cycle cycles) const override {
-    const auto following = [&](const Cell* cell) { return cell == last_ ? cells_.data() : cell + 1; };
-    FifoStatistics statistics = this->statistics();
-    const Cell* oldest = oldest_;
-    std::size_t shared = shared_;
-    const Cell* token = read_;
-    for (std::size_t unread = 1; unread <= size(); ++unread, token = following(token)) {
-      for (; shared > 0 && oldest->freed <= token->written; --shared) oldest = following(oldest);
-      statistics.max = std::max(statistics.max, std::min(shared + unread, statistics.depth));
-      statistics.token_cycles += cycles - token->written;
-    }
-    return statistics;
-  }
+  WaitCounter& blocked() const { return fifo_.blocked(); }
 
  private:
-  struct Cell {
-    Message message;
-    Cycle written;
-    Cycle visible;
-    Cycle freed = 0;  ///< the cycle after that of its last read
-  };
+  friend Fifo<Message>;
+  using Cell = typename Fifo<Message>::Cell;
 
   template <class Make>
   void put(const Make& make, Cycle now, Cycle visible) {
     ::new (static_cast<void*>(&write_->message)) Message(make());
     write_->written = now;
     write_->visible = visible;
-    write_ = following(write_);
-    note_write(now);
+    write_ = fifo_.following(write_);
+    --free_;
   }
 
-  /// Takes note of how many tokens were in the FIFO when the one that is read next was written.
-  void note_size_at(Cycle written) {
-    for (; shared_ > 0 && oldest_->freed <= written; --shared_) oldest_ = following(oldest_);
-    note_size(++shared_);
-  }
-
-  Cell* following(Cell* cell) { return cell == last_ ? cells_.data() : cell + 1; }
-
-  std::vector<Cell> cells_;  ///< a ring
-  Cell* last_ = &cells_.back();
-  Cell* write_ = cells_.data();
-  Cell* read_ = cells_.data();
-  /// Until `max` is the depth: the first cell whose token was still there when the last token read was written, and how
-  /// many tokens from there on have been read.
-  Cell* oldest_ = cells_.data();
-  std::size_t shared_ = 0;
+  Fifo<Message>& fifo_;
+  std::size_t free_;
+  Cell* write_;
 };
 
 /// A stage's port to one of its FIFOs; `Policy` as for sc_port. It is bound to the channel itself, once.

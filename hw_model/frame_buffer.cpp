@@ -13,15 +13,15 @@ FrameBuffer::FrameBuffer(const sc_core::sc_module_name& name, StageTiming timing
       progress_(std::move(progress)),
       next_progress_(progress_ ? static_cast<std::size_t>(columns) : 0) {}
 
-void FrameBuffer::fire(Cycle now) {
-  const PixelMessage& message = tree_accumulator->front();
+Cycle FrameBuffer::fire(Ends& ends, Cycle now) {
+  const PixelMessage& message = ends.tree_accumulator.front();
   image_.pixels()[message.pixel] = message.color;
-  tree_accumulator->pop(now);
+  ends.tree_accumulator.pop(now);
   if (++stored_ == next_progress_) {  // a row's worth
     next_progress_ += static_cast<std::size_t>(image_.columns());
     progress_(static_cast<double>(stored_) / static_cast<double>(image_.pixels().size()));
   }
-  occupy(now, timing_.interval);
+  return timing_.interval;
 }
 
 template class StageOf<FrameBuffer>;

@@ -16,13 +16,19 @@ class FrameBuffer final : public StageOf<FrameBuffer> {
 
   FrameBuffer(const sc_core::sc_module_name& name, StageTiming timing, int columns, int rows, Progress progress);
 
-  Start next() override { return Start(ready()).needs_token(tree_accumulator); }
-  void fire(Cycle now) override;
-
   const Image& image() const { return image_; }
+  std::size_t stored() const { return stored_; }  ///< pixels
   bool complete() const { return stored_ == image_.pixels().size(); }
 
  private:
+  friend StageOf;
+  struct Ends {
+    FifoReader<PixelMessage> tree_accumulator;
+  };
+  Ends ends() { return {FifoReader(*tree_accumulator)}; }
+  static Start next(Ends& ends, Cycle ready) { return Start(ready).needs_token(ends.tree_accumulator); }
+  Cycle fire(Ends& ends, Cycle now);
+
   StageTiming timing_;
   Image image_;
   std::size_t stored_ = 0;

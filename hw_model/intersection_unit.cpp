@@ -7,23 +7,19 @@ IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, Cycle la
                                    const Tracer& tracer, bool count_events)
     : StageOf(name), latency_(latency), cost_(cost), tracer_(tracer), count_events_(count_events) {}
 
-Start IntersectionUnit::next() {
-  return Start(ready()).needs_token(view_vector_generator).needs_room(pyramid_classifier);
-}
-
-void IntersectionUnit::fire(Cycle now) {
-  const RayMessage& ray = view_vector_generator->front();
-  Work work;
-  const Sample sample = nearest_hit(ray, work);
-  work_ += work;
-  const Cycle occupied = occupancy(work);
-  pyramid_classifier->write_made(
+Cycle IntersectionUnit::fire(Ends& ends, Cycle now) {
+  const RayMessage& ray = ends.view_vector_generator.front();
+  const Sample sample = nearest_hit(ray, work_);
+  const Cycle tests = cost_of_tests();
+  const Cycle occupied = cost_.ray + tests - tests_;
+  tests_ = tests;
+  ends.pyramid_classifier.write_made(
       [&] {
         return SampleMessage{sample, ray.tag, ray.subdivision};
       },
       now, occupied - 1 + latency_);
-  view_vector_generator->pop(now);
-  occupy(now, occupied);
+  ends.view_vector_generator.pop(now);
+  return occupied;
 }
 
 Sample IntersectionUnit::nearest_hit(const RayMessage& ray, Work& work) {
@@ -32,10 +28,10 @@ Sample IntersectionUnit::nearest_hit(const RayMessage& ray, Work& work) {
   return tracer_.trace(ray.view_vector, work);
 }
 
-Cycle IntersectionUnit::occupancy(const Work& work) const {
-  Cycle cycles = cost_.ray + cost_.box_test * work.box_tests;
+Cycle IntersectionUnit::cost_of_tests() const {
+  Cycle cycles = cost_.box_test * work_.box_tests;
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
-    cycles += cost_.surface_test[kind] * work.surface_tests[kind];
+    cycles += cost_.surface_test[kind] * work_.surface_tests[kind];
   }
   return cycles;
 }

@@ -20,8 +20,6 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   IntersectionUnit(const sc_core::sc_module_name& name, Cycle latency, const IntersectionCost& cost,
                    const Tracer& tracer, bool count_events);
 
-  Start next() override;
-  void fire(Cycle now) override;
   const Work& work() const { return work_; }
   /// Of the arithmetic, where the constructor was told to count; costs a little.
   const ArithmeticEvents& events() const { return events_; }
@@ -29,8 +27,20 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   void take_corners(CornersAhead* corners_ahead) { corners_ahead_ = corners_ahead; }
 
  private:
+  friend StageOf;
+  struct Ends {
+    FifoReader<RayMessage> view_vector_generator;
+    FifoWriter<SampleMessage> pyramid_classifier;
+  };
+  Ends ends() { return {FifoReader(*view_vector_generator), FifoWriter(*pyramid_classifier)}; }
+  static Start next(Ends& ends, Cycle ready) {
+    return Start(ready).needs_token(ends.view_vector_generator).needs_room(ends.pyramid_classifier);
+  }
+  Cycle fire(Ends& ends, Cycle now);
+
   Sample nearest_hit(const RayMessage& ray, Work& work);
-  Cycle occupancy(const Work& work) const;
+  /// In cycles, of all tests so far.
+  Cycle cost_of_tests() const;
 
   Cycle latency_;
   IntersectionCost cost_;
@@ -38,6 +48,7 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   bool count_events_;
   CornersAhead* corners_ahead_ = nullptr;
   Work work_;
+  Cycle tests_ = 0;  ///< cost_of_tests() before the ray
   ArithmeticEvents events_;
 };
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 #include "hw_model/cycle.h"
 
@@ -17,18 +18,17 @@ class LatencyHistogram {
  public:
   void add(Cycle latency) {
     ++counts_[class_of(latency)];
-    ++count_;
     sum_ += latency;
     max_ = std::max(max_, latency);
   }
 
-  std::uint64_t count() const { return count_; }
-  double mean() const { return count_ == 0 ? 0 : static_cast<double>(sum_) / static_cast<double>(count_); }
+  std::uint64_t count() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }
+  double mean() const { return count() == 0 ? 0 : static_cast<double>(sum_) / static_cast<double>(count()); }
   Cycle max() const { return max_; }
 
   /// The least latency known to be reached or undercut by `share` (0 to 1] of all, in cycles; 0 where there are none.
   Cycle percentile(double share) const {
-    const double wanted = share * static_cast<double>(count_);
+    const double wanted = share * static_cast<double>(count());
     std::uint64_t seen = 0;
     for (std::size_t k = 0; k < classes; ++k) {
       seen += counts_[k];
@@ -48,7 +48,6 @@ class LatencyHistogram {
 
   LatencyHistogram& operator+=(const LatencyHistogram& other) {
     for (std::size_t k = 0; k < classes; ++k) counts_[k] += other.counts_[k];
-    count_ += other.count_;
     sum_ += other.sum_;
     max_ = std::max(max_, other.max_);
     return *this;
@@ -61,7 +60,7 @@ class LatencyHistogram {
 
   /// The leading bit and the `fine_bits` below it.
   static std::size_t class_of(Cycle latency) {
-    const int octave = std::max(0, static_cast<int>(std::bit_width(latency)) - 1 - fine_bits);
+    const int octave = static_cast<int>(std::bit_width(latency | Cycle{1} << fine_bits)) - 1 - fine_bits;
     return (static_cast<std::size_t>(octave) << fine_bits) + static_cast<std::size_t>(latency >> octave);
   }
   static Cycle last_of(std::size_t k) {
@@ -70,7 +69,6 @@ class LatencyHistogram {
   }
 
   std::array<std::uint64_t, classes> counts_{};
-  std::uint64_t count_ = 0;
   Cycle sum_ = 0;
   Cycle max_ = 0;
 };

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t no_pixel = 0xFFFFFFFFU;
 
 /// A pixel in flight.
 struct PixelTag {
-  std::uint32_t pixel = no_pixel;  ///< row * columns + column
+  std::uint32_t pixel = no_pixel;  ///< row * columns + column, inside the window
   std::uint32_t slot = 0;          ///< of the tree accumulator, where its trace tree is summed
   Cycle admitted = 0;              ///< when the pixel scan sent the corner that completes it
 };

@@ -3,29 +3,34 @@
 
 namespace pyrasim::hw {
 
-PixelScan::PixelScan(const sc_core::sc_module_name& name, StageTiming timing, const Screen& screen, int max_level)
+PixelScan::PixelScan(const sc_core::sc_module_name& name, StageTiming timing, const PixelWindow& window, int max_level)
     : StageOf(name),
       timing_(timing),
-      rows_(static_cast<std::uint32_t>(screen.rows)),
-      columns_(static_cast<std::uint32_t>(screen.columns)),
+      window_(window),
+      rows_(static_cast<std::uint32_t>(window.rows)),
+      columns_(static_cast<std::uint32_t>(window.columns)),
       max_level_(max_level) {}
 
-Start PixelScan::next() {
+Start PixelScan::next(Ends& ends, Cycle ready) const {
   if (row_ > rows_) return Start(never);
-  Start start(ready());
-  if (completes_pixel()) start.needs_token(tree_accumulator);
-  return start.needs_room(view_vector_generator);
+  Start start(ready);
+  if (completes_pixel()) start.needs_token(ends.tree_accumulator);
+  return start.needs_room(ends.view_vector_generator);
 }
 
-void PixelScan::fire(Cycle now) {
-  PixelTag tag;
-  if (completes_pixel()) tag = {(row_ - 1) * columns_ + column_ - 1, tree_accumulator->read(now).slot, now};
-  view_vector_generator->write({{row_ << max_level_, column_ << max_level_}, tag}, now, timing_.latency);
+Cycle PixelScan::fire(Ends& ends, Cycle now) {
+  ends.view_vector_generator.write_made(
+      [&] {
+        const GridPoint point = pixel_corner(window_, row_, column_, max_level_);
+        if (!completes_pixel()) return CornerRequest{point, {}};
+        return CornerRequest{point, {pixel_++, ends.tree_accumulator.read(now).slot, now}};
+      },
+      now, timing_.latency);
   if (++column_ > columns_) {
     column_ = 0;
     ++row_;
   }
-  occupy(now, timing_.interval);
+  return timing_.interval;
 }
 
 template class StageOf<PixelScan>;

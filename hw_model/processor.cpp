@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <optional>
 
+#include "render/picture_memory.h"
+
 namespace pyrasim::hw {
 namespace {
 
 MachineSpec checked(const MachineSpec& spec, const Scene& scene, const SimulationOptions& options) {
-  if (options.check_machine) check_machine_holds(spec, options.max_level, scene.camera.screen.columns);
+  const PixelWindow window = scene.camera.rendered();
+  if (options.check_machine) check_machine_holds(spec, options.max_level, window.columns);
+  check_picture_fits(window);
   return spec;
 }
 
@@ -20,20 +24,20 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
                      const SimulationOptions& options)
     : sc_module(name),
       max_cycles_(options.max_cycles),
+      last_(options.max_cycles),
       spec_(checked(spec, scene, options)),
-      screen_(scene.camera.screen),
+      window_(scene.camera.rendered()),
       formats_(options.formats),
-      tracer_(make_tracer(scene, formats_.intersection)),
-      view_vectors_(screen_, std::int64_t{1} << options.max_level, formats_.view_vectors),
+      tracer_(options.tracer ? options.tracer : make_tracer(scene, formats_.intersection)),
+      view_vectors_(scene.camera.screen, std::int64_t{1} << options.max_level, formats_.view_vectors),
       contents_(tracer_->contents()),
-      pixel_scan_("pixel_scan", spec.pixel_scan, scene.camera.screen, options.max_level),
+      pixel_scan_("pixel_scan", spec.pixel_scan, window_, options.max_level),
       view_vector_generator_("view_vector_generator", spec.view_vector_generator, spec.intersection_units,
                              spec.dispatch, view_vectors_, formats_.counts_events(), options.max_level),
       pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, scene, options.leaf,
                           options.max_level),
       tree_accumulator_("tree_accumulator", spec.tree_accumulator, spec.pixels_in_flight, options.max_level),
-      frame_buffer_("frame_buffer", spec.frame_buffer, scene.camera.screen.columns, scene.camera.screen.rows,
-                    options.progress) {
+      frame_buffer_("frame_buffer", spec.frame_buffer, window_.columns, window_.rows, stopping(options.progress)) {
   for (std::size_t k = 0; k < spec.intersection_units; ++k) {
     intersection_units_.push_back(std::make_unique<IntersectionUnit>(fmt::format("intersection_unit_{}", k).c_str(),
                                                                      spec.intersection_latency, spec.intersection_cost,
@@ -47,7 +51,7 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
   list_omitted();
   const sc_core::sc_time period(1e6 / spec.clock_mhz, sc_core::SC_PS);
   if (options.engine == Engine::lockstep) {
-    for (Stage* stage : stages_) stage->run_in_lockstep(period, options.max_cycles);
+    for (Stage* stage : stages_) stage->run_in_lockstep(period, last_);
     return;
   }
   DecoupledEngine::Boxes boxes{pixel_scan_, view_vector_generator_, {}, controller_.get(), tree_accumulator_};
@@ -64,11 +68,21 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
 void Processor::run_decoupled(int threads) {
   std::optional<CornersAhead> corners;
   if (threads > 1 && !formats_.counts_events()) {
-    corners.emplace(*tracer_, view_vectors_, screen_, std::uint32_t{1} << pyramid_classifier_.max_level(),
+    corners.emplace(*tracer_, view_vectors_, window_, std::uint32_t{1} << pyramid_classifier_.max_level(),
                     intersection_units_.size() * spec_.fifos.view_vector_generator_to_intersection_unit);
   }
   for (const auto& unit : intersection_units_) unit->take_corners(corners ? &*corners : nullptr);
-  engine_->run(max_cycles_);
+  engine_->run(last_);
+}
+
+/// `progress`, heeded: the machine stops where it says so.
+Progress Processor::stopping(const Progress& progress) {
+  if (!progress) return {};
+  return [this, progress](double share) {
+    const bool go_on = progress(share);
+    if (!go_on) last_ = 0;
+    return go_on;
+  };
 }
 
 template <class Message, class Writer, class Reader, class Out, class In>
@@ -173,7 +187,7 @@ FrameStatistics Processor::statistics() const {
 }
 
 bool Processor::at_rest() const {
-  return std::none_of(stages_.begin(), stages_.end(), [](Stage* stage) { return stage->next().known(); });
+  return std::none_of(stages_.begin(), stages_.end(), [](Stage* stage) { return stage->next_start().known(); });
 }
 
 const Wire& Processor::wire_of(const FifoBase& fifo) const {

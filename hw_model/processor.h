@@ -29,9 +29,10 @@ struct SimulationOptions {
   Leaf leaf = Leaf::mean;
   Engine engine = Engine::decoupled;
   DatapathFormats formats;
-  Cycle max_cycles = never;   ///< the machine stops once it cannot end within so many
-  int threads = 1;            ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
-  bool check_machine = true;  ///< refuse a machine that cannot hold the frame; off only to see it deadlock
+  std::shared_ptr<const Tracer> tracer;  ///< of the scene in formats.intersection; none: the machine makes its own
+  Cycle max_cycles = never;              ///< the machine stops once it cannot end within so many
+  int threads = 1;                       ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
+  bool check_machine = true;             ///< refuse a machine that cannot hold the frame; off only to see it deadlock
   Progress progress;
 };
 
@@ -49,16 +50,18 @@ struct OmittedUnit {
 };
 
 /// One machine, rendering one frame. Several may be elaborated side by side before the simulation starts. Elaborate,
-/// call sc_core::sc_start(), then read the results. Throws InputError where the machine cannot hold a pixel's tree.
+/// call sc_core::sc_start(), then read the results. Throws InputError where the machine cannot hold a pixel's tree,
+/// LimitError where the picture is too large.
 class Processor final : public sc_core::sc_module {
  public:
   Processor(const sc_core::sc_module_name& name, const Scene& scene, const MachineSpec& spec,
             const SimulationOptions& options);
 
   /// Whether every pixel has been stored. If not once the simulation is over, the machine is deadlocked, or was stopped
-  /// at max_cycles(). See report/deadlock.h.
+  /// at max_cycles() or by its progress. See report/deadlock.h.
   bool complete() const { return frame_buffer_.complete(); }
   Cycle max_cycles() const { return max_cycles_; }
+  const FrameBuffer& frame_buffer() const { return frame_buffer_; }
   /// Whether no stage can fire.
   bool at_rest() const;
 
@@ -84,13 +87,15 @@ class Processor final : public sc_core::sc_module {
   void bind(Engine engine);
   void bind_controller();
   void list_omitted();
+  Progress stopping(const Progress& progress);
   void run_decoupled(int threads);
 
   Cycle max_cycles_;
+  Cycle last_;  ///< nothing is set off after it; at first max_cycles_
   MachineSpec spec_;
-  Screen screen_;
+  PixelWindow window_;
   DatapathFormats formats_;
-  std::unique_ptr<Tracer> tracer_;
+  std::shared_ptr<const Tracer> tracer_;
   ViewVectors view_vectors_;
   SceneContents contents_;
   PixelScan pixel_scan_;

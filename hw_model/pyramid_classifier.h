@@ -27,46 +27,55 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   PyramidClassifier(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, const Scene& scene,
                     Leaf leaf, int max_level);
 
-  Start next() override;
-  void fire(Cycle now) override;
-
   int max_level() const { return max_level_; }
   /// Counts of cases, subdivisions and terminal nodes.
   const FrameStatistics& counts() const { return counts_; }
 
  private:
+  friend StageOf;
   /// What the next firing does, known from the data alone.
   struct Step {
     bool known = false;
-    bool reads_sample = false;
+    Fifo<SampleMessage>* samples = nullptr;  ///< that it reads a sample from; none where it reads none
     bool reads_parent = false;
-    bool has_node = false;  ///< a pyramid is complete
-    NodeMessage node;       ///< the pyramid, and whether it is subdivided
+    const PixelTag* node = nullptr;  ///< whose pyramid is complete; the rest is about that
+    Pyramid pyramid;
+    CornerSamples corners;
     PyramidCase which = PyramidCase::empty;
-    bool to_controller() const { return has_node && (node.subdivide || node.closes_family); }
-    bool to_accumulator() const { return has_node && !node.subdivide; }
+    bool subdivide = false;
+    bool closes_family = false;
+    bool to_controller() const { return node != nullptr && (subdivide || closes_family); }
+    bool to_accumulator() const { return node != nullptr && !subdivide; }
   };
+  struct Ends {
+    FifoWriter<TerminalMessage> tree_accumulator;
+    Step step;  ///< planned as soon as its data is there
+  };
+  Ends ends() { return {FifoWriter(*tree_accumulator), {}}; }
+  Start next(Ends& ends, Cycle ready);
+  Cycle fire(Ends& ends, Cycle now);
 
   Start await_sample(Start start) const;
-  void plan();
-  void plan_corner(const SampleMessage& message);
-  void plan_subpixel(std::size_t child);
-  void classify_node();
-  void take_sample(Cycle now);
-  void emit(Cycle now);
+  void plan(Step& step);
+  void plan_corner(Step& step, const SampleMessage& message) const;
+  void plan_subpixel(Step& step, std::size_t child) const;
+  void classify_node(Step& step) const;
+  void take_sample(Fifo<SampleMessage>& samples, Cycle now);
+  void emit(Ends& ends, Cycle now);
 
   StageTiming timing_;
   Palette palette_;
   Leaf leaf_;
   int max_level_;
-  std::uint32_t columns_;
+  PixelWindow window_;
+  std::uint32_t columns_;           ///< N_z of the window
   std::size_t unit_ = 0;            ///< that the next sample comes from
-  std::vector<Sample> corner_row_;  ///< the last N_z + 2 corner samples: one row and one more
-  std::size_t corner_ = 0;          ///< where the next corner goes in the ring corner_row_
+  std::vector<Sample> corner_row_;  ///< the newest corner sample of each of the N_z + 1 columns
+  Sample upper_left_;               ///< and of the last column the one before
+  std::uint32_t column_ = 0;        ///< of the next corner
   NodeMessage parent_;              ///< the node whose samples are arriving
   SubdivisionSamples middle_;       ///< its samples so far
   std::size_t samples_ = 0;         ///< how many of them; 5 while the last subpixel waits
-  Step step_;                       ///< planned as soon as its data is there
   FrameStatistics counts_;
 };
 

@@ -11,32 +11,41 @@ void Stage::woken() {
   }
 }
 
-void Stage::observe_wait(Cycle until, bool starved) {
-  StageObserver::State state = StageObserver::State::idle;
-  if (statistics_.firings > 0) state = starved ? StageObserver::State::starved : StageObserver::State::blocked;
-  observer_->span(state, ready_, until);
+void Stage::book(const Start& start, Cycle cycles) {
+  assert(cycles >= 1);
+  StageObserver::State waited = StageObserver::State::idle;
+  if (firings_ == 0) {  // before the first firing the frame has not begun here
+    idle_ = start.at();
+  } else if (start.at() > ready_) {
+    book_wait(ready_, start);
+    waited = start.cause()->starved ? StageObserver::State::starved : StageObserver::State::blocked;
+  }
+  if (observer_ != nullptr) {
+    if (start.at() > ready_) observer_->span(waited, ready_, start.at());
+    observer_->span(StageObserver::State::busy, start.at(), start.at() + cycles);
+  }
+  book(1, start.at() + cycles);
 }
 
 StageStatistics Stage::statistics(Cycle cycles) const {
   assert(ready_ <= cycles);
-  StageStatistics statistics = statistics_;
-  statistics.idle += cycles - ready_;
-  return statistics;
+  const Cycle busy = ready_ - idle_ - starved_ - blocked_;
+  return {.busy = busy, .starved = starved_, .blocked = blocked_, .idle = idle_ + cycles - ready_, .firings = firings_};
 }
 
-void Stage::run_in_lockstep(const sc_core::sc_time& period, Cycle last) {
+void Stage::run_in_lockstep(const sc_core::sc_time& period, const Cycle& last) {
   period_ = period;
-  sc_core::sc_spawn([this, last] { lockstep(last); }, (std::string(basename()) + "_process").c_str());
+  sc_core::sc_spawn([this, &last] { lockstep(last); }, (std::string(basename()) + "_process").c_str());
 }
 
-void Stage::lockstep(Cycle last) {
+void Stage::lockstep(const Cycle& last) {
   Cycle now = 0;
   for (;;) {
     sleep();
-    const Start start = next();
+    const Start start = next_start();
     if (start.known() && start.at() > last) return;
     if (start.at() == now) {
-      fire(start);
+      fire_at(start);
       continue;
     }
     if (!start.known()) {

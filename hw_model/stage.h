@@ -16,36 +16,33 @@ class Start {
  public:
   explicit Start(Cycle ready) : at_(ready) {}
 
-  /// The firing reads a token of `fifo`.
-  template <class Port>
-  Start& needs_token(const Port& fifo) {
-    return wait_until(fifo->token(), fifo.operator->(), true);
+  /// The firing reads a token of `fifo`: of the FIFO, or its FifoReader.
+  template <class Fifo>
+  Start& needs_token(Fifo& fifo) {
+    return wait_until(fifo.token(), fifo.starved());
   }
-  /// The firing writes into `fifo`.
-  template <class Port>
-  Start& needs_room(const Port& fifo) {
-    return wait_until(fifo->room(), fifo.operator->(), false);
+  /// The firing writes into `fifo`: the FIFO, or its FifoWriter.
+  template <class Fifo>
+  Start& needs_room(Fifo& fifo) {
+    return wait_until(fifo.room(), fifo.blocked());
   }
 
   Cycle at() const { return at_; }
   bool known() const { return at_ != never; }
-  /// The FIFO whose token or cell comes last; none where the stage's own readiness does.
-  FifoBase* cause() const { return cause_; }
-  bool starved() const { return starved_; }
+  /// For the token or cell that comes last; none where the stage's own readiness does.
+  WaitCounter* cause() const { return cause_; }
 
  private:
-  Start& wait_until(Cycle date, const FifoBase* fifo, bool starved) {
+  Start& wait_until(Cycle date, WaitCounter& wait) {
     if (date > at_) {
       at_ = date;
-      cause_ = const_cast<FifoBase*>(fifo);
-      starved_ = starved;
+      cause_ = &wait;
     }
     return *this;
   }
 
   Cycle at_;
-  FifoBase* cause_ = nullptr;
-  bool starved_ = false;
+  WaitCounter* cause_ = nullptr;
 };
 
 /// Where a stage's cycles went. The four add up to the frame's cycles.
@@ -74,19 +71,13 @@ class WorkList;
 class Stage : public sc_core::sc_module, public FifoEnd {
  public:
   /// The next firing, from what is known.
-  virtual Start next() = 0;
-  /// Fires at `now` = next().at().
-  virtual void fire(Cycle now) = 0;
+  virtual Start next_start() = 0;
+  /// Fires at `start` = next_start(), and accounts for the wait that ends with it.
+  virtual void fire_at(const Start& start) = 0;
   /// Fires while the next firing is known; then sleeps.
   virtual void drain() = 0;
   /// Whether the stage chooses by what has arrived first; then an unseen token can change its next firing.
   virtual bool chooses_by_arrival() const { return false; }
-
-  /// Accounts for the wait that ends with `start`, and fires.
-  void fire(const Start& start) {
-    account(start);
-    fire(start.at());
-  }
 
   /// Statistics of a frame of `cycles` cycles that is over.
   StageStatistics statistics(Cycle cycles) const;
@@ -99,44 +90,39 @@ class Stage : public sc_core::sc_module, public FifoEnd {
     sleep();  // it may have been told of preloaded tokens
   }
   void observe(StageObserver* observer) { observer_ = observer; }
-  /// Registers the process that runs this stage on the SystemC kernel, with no firing after `last`; before the
-  /// simulation starts.
-  void run_in_lockstep(const sc_core::sc_time& period, Cycle last);
-
-  /// Books the cycles from the end of the last firing to `start`.
-  void account(const Start& start) {
-    assert(start.known() && start.at() >= ready_);
-    const Cycle waited = start.at() - ready_;
-    if (waited == 0) return;
-    if (statistics_.firings == 0) {  // before the first firing the frame has not begun here
-      statistics_.idle += waited;
-    } else if (start.starved()) {
-      statistics_.starved += waited;
-      start.cause()->count_starved(waited);
-    } else {
-      statistics_.blocked += waited;
-      start.cause()->count_blocked(waited);
-    }
-    if (observer_ != nullptr) observe_wait(start.at(), start.starved());
-  }
+  /// Registers the process that runs this stage on the SystemC kernel, with no firing after `last`, which
+  /// may change meanwhile and has to outlive the stage; before the simulation starts.
+  void run_in_lockstep(const sc_core::sc_time& period, const Cycle& last);
 
  protected:
   explicit Stage(const sc_core::sc_module_name& name) : sc_module(name) {}
-  /// The firing at `now` keeps the stage busy for `cycles` >= 1.
-  void occupy(Cycle now, Cycle cycles) {
-    ready_ = now + cycles;
-    statistics_.busy += cycles;
-    ++statistics_.firings;
-    if (observer_ != nullptr) observer_->span(StageObserver::State::busy, now, ready_);
+
+  /// Whether a firing has to be booked on its own: the first one, and all where somebody looks on.
+  bool books_singly() const { return firings_ == 0 || observer_ != nullptr; }
+  /// Books the firing at `start` that keeps the stage busy for `cycles` >= 1.
+  void book(const Start& start, Cycle cycles);
+  /// Books `firings` further ones up to `ready`, whose waits have been booked.
+  void book(std::uint64_t firings, Cycle ready) {
+    firings_ += firings;
+    ready_ = ready;
+  }
+  /// Books what a stage waits that is ready at `ready` and fires at `start`; not for its first firing.
+  void book_wait(Cycle ready, const Start& start) {
+    assert(start.known() && start.at() >= ready);
+    if (start.at() == ready) return;
+    start.cause()->cycles += start.at() - ready;
+    (start.cause()->starved ? starved_ : blocked_) += start.at() - ready;
   }
 
  private:
   void woken() final;
-  void observe_wait(Cycle until, bool starved);
-  void lockstep(Cycle last);
+  void lockstep(const Cycle& last);
 
   Cycle ready_ = 0;
-  StageStatistics statistics_;
+  std::uint64_t firings_ = 0;
+  Cycle idle_ = 0;  ///< before the first firing
+  Cycle starved_ = 0;
+  Cycle blocked_ = 0;
   StageObserver* observer_ = nullptr;
   WorkList* work_ = nullptr;
   sc_core::sc_event woken_;
@@ -148,7 +134,9 @@ class WorkList {
   void add(Stage& stage) { stages_.push_back(&stage); }
   /// Lets stages fire until none that is awake has a known next firing.
   void run() {
-    for (std::size_t next = 0; next < stages_.size();) stages_[next++]->drain();  // more may come
+    for (std::size_t next = 0; next < stages_.size(); ++next) {  // more may come
+      if (stages_[next]->awake()) stages_[next]->drain();
+    }
     stages_.clear();
   }
 
@@ -156,22 +144,60 @@ class WorkList {
   std::vector<Stage*> stages_;  ///< in the order in which they were woken
 };
 
-/// Gives a stage its drain(), with next() and fire() inlined: hence instantiated where these are defined, and there
-/// only. A firing can wake the stage itself; so it sleeps first.
+/// A stage's behaviour, which `Derived` defines by three functions:
+/// - `Ends ends()`: its readers and writers, for as long as it fires;
+/// - `Start next(Ends&, Cycle ready)`: the next firing of the stage that is ready at `ready`;
+/// - `Cycle fire(Ends&, Cycle now)`: fires at `now`; returns for how many cycles that keeps the stage busy.
+/// They are inlined here; hence instantiated where they are defined, and there only.
 template <class Derived>
 class StageOf : public Stage {
  public:
-  [[gnu::flatten, gnu::noinline]] void drain() override {
-    auto& self = static_cast<Derived&>(*this);
-    sleep();
-    for (Start start = self.Derived::next(); start.known(); start = self.Derived::next()) {
-      account(start);
-      self.Derived::fire(start.at());
+  Start next_start() final {
+    auto ends = derived().ends();
+    return derived().next(ends, ready());
+  }
+  void fire_at(const Start& start) final {
+    auto ends = derived().ends();
+    book(start, derived().fire(ends, start.at()));
+  }
+  [[gnu::flatten, gnu::noinline]] void drain() final {
+    sleep();  // a firing can wake the stage itself
+    while (books_singly()) {
+      if (!fire_one(never)) return;
     }
+    fire_in_a_row(never, [](const auto&) { return true; });
   }
 
  protected:
   using Stage::Stage;
+
+  /// Fires, if that is before `horizon`. Returns whether it did.
+  [[gnu::noinline]] bool fire_one(Cycle horizon) {
+    const Start start = next_start();
+    if (start.at() >= horizon) return false;
+    fire_at(start);
+    return true;
+  }
+  /// Fires before `horizon`, and again for as long as `goes_on(ends)`. Returns whether it fired at all. Not where
+  /// firings are booked singly.
+  template <class Condition>
+  bool fire_in_a_row(Cycle horizon, const Condition& goes_on) {
+    auto ends = derived().ends();
+    Cycle ready = this->ready();
+    std::uint64_t firings = 0;
+    do {
+      const Start start = derived().next(ends, ready);
+      if (start.at() >= horizon) break;
+      book_wait(ready, start);
+      ready = start.at() + derived().fire(ends, start.at());
+      ++firings;
+    } while (goes_on(ends));
+    book(firings, ready);
+    return firings > 0;
+  }
+
+ private:
+  Derived& derived() { return static_cast<Derived&>(*this); }
 };
 
 }  // namespace pyrasim::hw

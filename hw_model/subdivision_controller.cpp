@@ -10,32 +10,38 @@ SubdivisionController::SubdivisionController(const sc_core::sc_module_name& name
                                              int max_level)
     : StageOf(name), timing_(timing), pool_(pool), max_level_(max_level) {}
 
-Start SubdivisionController::next() {
-  const Start accept = Start(ready()).needs_token(pyramid_classifier);
-  const Start issue = can_issue() ? Start(ready()).needs_room(view_vector_generator).needs_room(parents) : Start(never);
+Start SubdivisionController::next(Ends& ends, Cycle ready) {
+  const Start accept = Start(ready).needs_token(ends.pyramid_classifier);
+  const Start issue =
+      can_issue() ? Start(ready).needs_room(ends.view_vector_generator).needs_room(ends.parents) : Start(never);
   accepts_ = accept.at() <= issue.at();
   return accepts_ ? accept : issue;
 }
 
-/// The banker's rule. Worked off depth first, a node of level l replaces its entry by four and needs three more on each
-/// of the levels l + 1 to MAX_LEVEL - 1; a pixel has no entry to give back, and needs one more.
+/// The banker's rule.
 bool SubdivisionController::can_issue() const {
-  const bool from_pool = !subpixels_.empty();
-  if (!from_pool && pixels_.empty()) return false;
-  const std::uint32_t level = from_pool ? subpixels_.back().pyramid.level : 0;
-  if (!family_returns(level)) return true;
-  const std::size_t needed = 3 * (static_cast<std::size_t>(max_level_) - 1 - level) + (from_pool ? 0 : 1);
-  return subpixels_.size() + reserved_ + needed <= pool_;
+  if (subpixels_.empty() && pixels_.empty()) return false;
+  return pool_kept() + pool_needed() <= pool_;
 }
 
-void SubdivisionController::fire(Cycle now) {
+/// Worked off depth first, a node of level l replaces its entry by four and needs three more on each of the levels l +
+/// 1 to MAX_LEVEL - 1; a pixel has no entry to give back, and needs one more.
+std::size_t SubdivisionController::pool_needed() const {
+  const bool from_pool = !subpixels_.empty();
+  if (!from_pool && pixels_.empty()) return 0;
+  const std::uint32_t level = from_pool ? subpixels_.back().pyramid.level : 0;
+  if (!family_returns(level)) return 0;
+  return 3 * (static_cast<std::size_t>(max_level_) - 1 - level) + (from_pool ? 0 : 1);
+}
+
+Cycle SubdivisionController::fire(Ends& ends, Cycle now) {
   if (accepts_) {
-    accept(pyramid_classifier->front());
-    pyramid_classifier->pop(now);
+    accept(ends.pyramid_classifier.front());
+    ends.pyramid_classifier.pop(now);
   } else {
-    issue(now);
+    issue(ends, now);
   }
-  occupy(now, timing_.interval);
+  return timing_.interval;
 }
 
 void SubdivisionController::accept(const NodeMessage& node) {
@@ -54,7 +60,7 @@ void SubdivisionController::accept(const NodeMessage& node) {
   }
 }
 
-void SubdivisionController::issue(Cycle now) {
+void SubdivisionController::issue(Ends& ends, Cycle now) {
   NodeMessage node;
   if (subpixels_.empty()) {
     node = pixels_.front();
@@ -66,8 +72,8 @@ void SubdivisionController::issue(Cycle now) {
   if (family_returns(node.pyramid.level)) reserved_ += 4;
   most_used_ = std::max(most_used_, subpixels_.size() + reserved_);
   assert(most_used_ <= pool_);
-  view_vector_generator->write({node.pyramid}, now, timing_.latency);
-  parents->write(node, now, timing_.latency);
+  ends.view_vector_generator.write({node.pyramid}, now, timing_.latency);
+  ends.parents.write(node, now, timing_.latency);
 }
 
 }  // namespace pyrasim::hw

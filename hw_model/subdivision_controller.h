@@ -26,17 +26,28 @@ class SubdivisionController final : public StageOf<SubdivisionController> {
 
   SubdivisionController(const sc_core::sc_module_name& name, StageTiming timing, std::size_t pool, int max_level);
 
-  Start next() override;
-  void fire(Cycle now) override;
   bool chooses_by_arrival() const override { return true; }
 
   std::size_t pool_depth() const { return pool_; }
   std::size_t pool_max() const { return most_used_; }
+  /// Entries in use or reserved.
+  std::size_t pool_kept() const { return subpixels_.size() + reserved_; }
+  /// Entries that have to be left for the next request to be issued; 0 where no node waits.
+  std::size_t pool_needed() const;
 
  private:
+  friend StageOf;
+  struct Ends {
+    FifoReader<NodeMessage> pyramid_classifier;
+    FifoWriter<SubdivisionRequest> view_vector_generator;
+    FifoWriter<NodeMessage> parents;
+  };
+  Ends ends() { return {FifoReader(*pyramid_classifier), FifoWriter(*view_vector_generator), FifoWriter(*parents)}; }
+  Start next(Ends& ends, Cycle ready);
+  Cycle fire(Ends& ends, Cycle now);
   bool can_issue() const;
   void accept(const NodeMessage& node);
-  void issue(Cycle now);
+  void issue(Ends& ends, Cycle now);
   /// The subpixels of a request of `level` may come back for subdivision.
   bool family_returns(std::uint32_t level) const { return level + 1 < static_cast<std::uint32_t>(max_level_); }
 

@@ -13,35 +13,36 @@ bool TreeAccumulator::completes(const TerminalMessage& node) const {
   return node.level == 0 || slots_[node.tag.slot].tree.completed_by(node.level, max_level_);
 }
 
-Start TreeAccumulator::next() {
-  Start start = Start(ready()).needs_token(pyramid_classifier);
-  if (!pyramid_classifier->empty() && completes(pyramid_classifier->front()))
-    start.needs_room(frame_buffer).needs_room(pixel_scan);
+Start TreeAccumulator::next(Ends& ends, Cycle ready) const {
+  Start start = Start(ready).needs_token(ends.pyramid_classifier);
+  if (!start.known()) return start;
+  if (completes(ends.pyramid_classifier.front())) start.needs_room(ends.frame_buffer).needs_room(ends.pixel_scan);
   return start;
 }
 
-void TreeAccumulator::fire(Cycle now) {
-  const TerminalMessage& node = pyramid_classifier->front();
+Cycle TreeAccumulator::fire(Ends& ends, Cycle now) {
+  const TerminalMessage& node = ends.pyramid_classifier.front();
   if (node.level == 0) {
-    finish(node.tag, 0, single_node_result(node.color), now);
+    finish(node.tag, 0, single_node_result(node.color), ends, now);
   } else {
     auto& [tree, deepest] = slots_[node.tag.slot];
     tree.add_terminal_node(node.level, node.color, max_level_);
     deepest = std::max(deepest, node.level);
     if (tree.complete(max_level_)) {
-      finish(node.tag, deepest, tree.result(max_level_), now);
+      finish(node.tag, deepest, tree.result(max_level_), ends, now);
       tree = {};
       deepest = 0;
     }
   }
-  pyramid_classifier->pop(now);
-  occupy(now, timing_.interval);
+  ends.pyramid_classifier.pop(now);
+  return timing_.interval;
 }
 
-void TreeAccumulator::finish(const PixelTag& tag, std::uint32_t deepest, const glm::vec3& color, Cycle now) {
+void TreeAccumulator::finish(const PixelTag& tag, std::uint32_t deepest, const glm::vec3& color, Ends& ends,
+                             Cycle now) {
   latencies_[deepest].add(now + timing_.latency - tag.admitted);
-  frame_buffer->write_made([&] { return PixelMessage{tag.pixel, color}; }, now, timing_.latency);
-  pixel_scan->write({tag.slot}, now, timing_.latency);
+  ends.frame_buffer.write_made([&] { return PixelMessage{tag.pixel, color}; }, now, timing_.latency);
+  ends.pixel_scan.write({tag.slot}, now, timing_.latency);
 }
 
 template class StageOf<TreeAccumulator>;

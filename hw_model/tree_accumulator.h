@@ -22,17 +22,23 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
 
   TreeAccumulator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t slots, int max_level);
 
-  Start next() override;
-  void fire(Cycle now) override;
-
   /// Cycles from the scan's sending of a pixel's last corner to its colour being visible to the frame buffer; by the
   /// deepest level of the pixel's trace tree.
   using LatencyByLevel = std::array<LatencyHistogram, max_level_limit + 1>;
   const LatencyByLevel& latencies() const { return latencies_; }
 
  private:
+  friend StageOf;
+  struct Ends {
+    FifoReader<TerminalMessage> pyramid_classifier;
+    FifoWriter<PixelMessage> frame_buffer;
+    FifoWriter<SlotCredit> pixel_scan;
+  };
+  Ends ends() { return {FifoReader(*pyramid_classifier), FifoWriter(*frame_buffer), FifoWriter(*pixel_scan)}; }
+  Start next(Ends& ends, Cycle ready) const;
+  Cycle fire(Ends& ends, Cycle now);
   bool completes(const TerminalMessage& node) const;
-  void finish(const PixelTag& tag, std::uint32_t deepest, const glm::vec3& color, Cycle now);
+  void finish(const PixelTag& tag, std::uint32_t deepest, const glm::vec3& color, Ends& ends, Cycle now);
 
   StageTiming timing_;
   int max_level_;

@@ -14,29 +14,29 @@ ViewVectorGenerator::ViewVectorGenerator(const sc_core::sc_module_name& name, St
       count_events_(count_events),
       max_level_(max_level) {}
 
-Start ViewVectorGenerator::next() {
-  Start start(ready());
+Start ViewVectorGenerator::next(Ends& ends, Cycle ready) {
+  Start start(ready);
   if (rays_left_ == 0) {
-    reads_request_ = request_goes_first();
+    reads_request_ = request_goes_first(ends, ready);
     if (reads_request_) {
-      start.needs_token(subdivision_controller);
+      start.needs_token(*subdivision_controller);
     } else {
-      start.needs_token(pixel_scan);
+      start.needs_token(ends.pixel_scan);
     }
   }
   return with_room(start);
 }
 
 /// A request goes first that is there no later than the corner, or than anything at all could be issued.
-bool ViewVectorGenerator::request_goes_first() {
+bool ViewVectorGenerator::request_goes_first(Ends& ends, Cycle ready) {
   if (!subdivision_controller.bound() || subdivision_controller->empty()) return false;
   const Cycle request = subdivision_controller->token();
-  return request <= pixel_scan->token() || request <= with_room(Start(ready())).at();
+  return request <= ends.pixel_scan.token() || request <= with_room(Start(ready)).at();
 }
 
 /// `start`, once there is room for the ray; under first_free this settles which unit it goes to.
 Start ViewVectorGenerator::with_room(Start start) {
-  return chooses_unit() ? with_free_unit(start) : start.needs_room(intersection_units[unit_]);
+  return chooses_unit() ? with_free_unit(start) : start.needs_room(*intersection_units[unit_]);
 }
 
 Start ViewVectorGenerator::with_free_unit(Start start) {
@@ -45,25 +45,20 @@ Start ViewVectorGenerator::with_free_unit(Start start) {
   for (std::size_t unit = following(unit_); unit != unit_; unit = following(unit)) {
     if (intersection_units[unit]->room() < intersection_units[earliest]->room()) earliest = unit;
   }
-  start.needs_room(intersection_units[earliest]).needs_room(reorder_buffer);
+  start.needs_room(*intersection_units[earliest]).needs_room(*reorder_buffer);
   free_unit_ = unit_;
   while (start.known() && intersection_units[free_unit_]->room() > start.at()) free_unit_ = following(free_unit_);
   return start;
 }
 
 [[gnu::flatten]] bool ViewVectorGenerator::fire_before(Cycle horizon) {
-  bool fired = false;
-  do {
-    const Start start = next();
-    if (start.at() >= horizon) return fired;
-    account(start);
-    ViewVectorGenerator::fire(start.at());
-    fired = true;
-  } while (sees_next_corner() && rays_left_ != subdivision_rays - 1);
-  return fired;
+  if (books_singly()) return fire_one(horizon);
+  return fire_in_a_row(horizon, [this](const Ends& ends) {
+    return (rays_left_ > 0 || !ends.pixel_scan.empty()) && rays_left_ != subdivision_rays - 1;
+  });
 }
 
-void ViewVectorGenerator::fire(Cycle now) {
+Cycle ViewVectorGenerator::fire(Ends& ends, Cycle now) {
   if (reads_request_) {
     request_ = subdivision_controller->read(now).pyramid;
     rays_left_ = subdivision_rays;
@@ -73,10 +68,11 @@ void ViewVectorGenerator::fire(Cycle now) {
     issue(subdivision_point(request_, subdivision_rays - rays_left_, max_level_), request_.level + 1, {}, now);
     --rays_left_;
   } else {
-    const CornerRequest corner = pixel_scan->read(now);
+    const CornerRequest& corner = ends.pixel_scan.front();
     issue(corner.point, 0, corner.tag, now);
+    ends.pixel_scan.pop(now);
   }
-  occupy(now, timing_.interval);
+  return timing_.interval;
 }
 
 glm::dvec3 ViewVectorGenerator::view_vector(GridPoint point) {

@@ -24,8 +24,6 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, Dispatch dispatch,
                       const ViewVectors& view_vectors, bool count_events, int max_level);
 
-  Start next() override;
-  void fire(Cycle now) override;
   bool chooses_by_arrival() const override { return true; }
 
   /// Whether no token that is still unseen could be a corner that goes first.
@@ -34,7 +32,7 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   bool chooses_unit() const { return dispatch_ == Dispatch::first_free; }
   /// Fires before `horizon`: until the next corner is not seen, or with the first ray of a request, whose reading makes
   /// room for another. Returns whether it fired at all. Requires that whatever could still come to be seen comes later
-  /// than next().
+  /// than next_start().
   bool fire_before(Cycle horizon);
   /// That the next ray goes to, where the generator does not choose.
   std::size_t next_unit() const { return unit_; }
@@ -44,7 +42,14 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   const ArithmeticEvents& events() const { return events_; }
 
  private:
-  bool request_goes_first();
+  friend StageOf;
+  struct Ends {
+    FifoReader<CornerRequest> pixel_scan;
+  };
+  Ends ends() { return {FifoReader(*pixel_scan)}; }
+  Start next(Ends& ends, Cycle ready);
+  Cycle fire(Ends& ends, Cycle now);
+  bool request_goes_first(Ends& ends, Cycle ready);
   Start with_room(Start start);
   Start with_free_unit(Start start);
   glm::dvec3 view_vector(GridPoint point);

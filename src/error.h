@@ -6,7 +6,14 @@
 
 namespace pyrasim {
 
-enum ExitCode : int { exit_ok = 0, exit_run_failed = 1, exit_usage = 2, exit_input = 3, exit_limit = 4 };
+enum ExitCode : int {
+  exit_ok = 0,
+  exit_run_failed = 1,
+  exit_usage = 2,
+  exit_input = 3,
+  exit_limit = 4,
+  exit_signal = 128
+};
 
 /// An error that ends the program with `exit_code` and one line: its message.
 class Error : public std::runtime_error {
@@ -33,9 +40,15 @@ struct InputError : Error {
   explicit InputError(const std::string& message) : Error(exit_input, message) {}
 };
 
-/// A deadlock, or a limit on cycles that was reached.
+/// A deadlock, a limit on cycles that was reached, or a picture larger than memory.
 struct LimitError : Error {
   explicit LimitError(const std::string& message) : Error(exit_limit, message) {}
+};
+
+/// A run that its user ended by a signal. The exit code is the one that a shell reports: 130 for Ctrl-C.
+struct Interrupted : Error {
+  Interrupted(int signal, const std::string& how_far)
+      : Error(static_cast<ExitCode>(exit_signal + signal), "interrupted " + how_far) {}
 };
 
 }  // namespace pyrasim

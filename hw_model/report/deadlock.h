@@ -7,8 +7,11 @@
 
 namespace pyrasim::hw {
 
-/// Throws LimitError where the frame is not finished, or not within the limit of cycles. Its message holds a line for
-/// every stage and FIFO, and names the cycle in which stages wait for each other, if they do.
+/// Why the frame is not finished, or not within the limit of cycles; empty where it is. The first line names the circle
+/// in which stages wait for each other, if they do; the machine's state follows.
+std::string why_unfinished(Processor& processor);
+
+/// Throws LimitError with why_unfinished(), unless that is empty.
 void require_finished(Processor& processor);
 
 /// A line for each stage (what it waits for) and for each FIFO (how full it is).

@@ -14,6 +14,7 @@
 #include "cli/simulate_apart.h"
 #include "cli/statistics_document.h"
 #include "error.h"
+#include "render/picture_memory.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -28,11 +29,13 @@ struct Frame {
   hw::MachineSpec spec;
   hw::SimulationOptions options;
 
-  std::optional<hw::Cycle> simulate(hw::Cycle max_cycles) const {
+  ApartResult simulate(hw::Cycle max_cycles) const {
     hw::SimulationOptions limited = options;
     limited.max_cycles = max_cycles;
     return simulate_apart(scene, spec, limited);
   }
+  /// Its cycles, where they are within the budget.
+  std::optional<hw::Cycle> cycles_within_budget() const { return simulate(spec.budget()).cycles; }
   double fps(hw::Cycle cycles) const { return spec.clock_mhz * 1e6 / static_cast<double>(cycles); }
 };
 
@@ -51,10 +54,7 @@ using Vary = std::function<Frame(int value)>;
 /// The first value from `from` (not enough) towards `to` whose frame meets the budget, and its cycles; by bisection, so
 /// that it is the first if every further one does too.
 std::optional<std::pair<int, hw::Cycle>> first_that_meets(int from, int to, const Vary& vary) {
-  const auto cycles_at = [&](int value) {
-    const Frame frame = vary(value);
-    return frame.simulate(frame.spec.budget());
-  };
+  const auto cycles_at = [&](int value) { return vary(value).cycles_within_budget(); };
   auto cycles = cycles_at(to);
   if (!cycles) return std::nullopt;
   while (std::abs(to - from) > 1) {
@@ -91,7 +91,7 @@ Change change_units(const Frame& frame) {
   int enough = units;  // doubling first: a machine of 256 units is slow to simulate
   for (int next = std::min<int>(2 * units, most_units); next > enough; next = std::min<int>(2 * next, most_units)) {
     enough = next;
-    if (vary(next).simulate(frame.spec.budget())) break;
+    if (vary(next).cycles_within_budget()) break;
   }
   return change("intersection.units", std::min(units, enough), enough, vary,
                 [](int value) { return std::to_string(value); });
@@ -103,7 +103,7 @@ Change change_clock(const Frame& frame, hw::Cycle cycles) {
   Frame varied = frame;
   varied.spec.clock_mhz = std::min(std::ceil(least), most_mhz);
   Change change{"clock_mhz", fmt::format("{}", frame.spec.clock_mhz), fmt::format("{}", varied.spec.clock_mhz),
-                varied.simulate(varied.spec.budget())};
+                varied.cycles_within_budget()};
   if (change.cycles) change.fps = varied.fps(*change.cycles);
   return change;
 }
@@ -144,13 +144,14 @@ struct BudgetCommand {
     asked.options.max_level = parse_max_level(frame.max_level, screen);
     asked.options.leaf = frame.leaf;
     check_addressable(screen, asked.options.max_level);
+    check_picture_fits(asked.scene.camera.rendered());
     asked.options.formats = frame.formats(screen, std::int64_t{1} << asked.options.max_level);
     hw::check_machine_holds(asked.spec, asked.options.max_level, screen.columns);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
 
-    const auto cycles = asked.simulate(machine.max_cycles);
-    if (!cycles) throw LimitError(fmt::format("the frame is not finished within {} cycles", machine.max_cycles));
+    const auto [cycles, why_unfinished] = asked.simulate(machine.max_cycles);
+    if (!cycles) throw LimitError(why_unfinished);
     std::vector<Change> changes;
     if (*cycles > asked.spec.budget()) {
       changes = {change_units(asked), change_clock(asked, *cycles), change_level(asked), change_size(asked)};

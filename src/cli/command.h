@@ -23,6 +23,7 @@ using Action = std::function<void()>;
 void add_render_command(CLI::App& app, Action& action);
 void add_simulate_command(CLI::App& app, Action& action);
 void add_sweep_command(CLI::App& app, Action& action);
+void add_study_command(CLI::App& app, Action& action);
 void add_budget_command(CLI::App& app, Action& action);
 void add_check_command(CLI::App& app, Action& action);
 void add_level_command(CLI::App& app, Action& action);
@@ -35,21 +36,23 @@ void set_command_line(int argc, char** argv);
 /// Options of a command that renders one frame of a scene.
 struct FrameOptions {
   std::string scene;
-  std::string size;             ///< "COLUMNSxROWS", or empty: as the scene says
-  std::string max_level = "3";  ///< a number or "auto"
+  std::string size;                   ///< "COLUMNSxROWS", or empty: as the scene says
+  std::optional<std::string> window;  ///< "X,Y,COLUMNS,ROWS" of the screen
+  std::string max_level = "3";        ///< a number or "auto"
   Leaf leaf = Leaf::mean;
   std::string scalar = "double";
 
-  /// Reads the scene, on the screen asked for; its warnings go to stderr.
+  /// Reads the scene, on the screen and window asked for; its warnings go to stderr.
   Scene load() const;
   /// The number formats asked for, which can address `screen` at `steps` grid steps along a pixel's side; a warning
   /// goes to stderr.
   DatapathFormats formats(const Screen& screen, std::int64_t steps) const;
 };
 
-/// Adds SCENE, --size, --max-level and --leaf. --scalar is the caller's choice.
+/// Adds SCENE, --size, --max-level and --leaf. --scalar and --window are the caller's choice.
 void add_frame_options(CLI::App& command, FrameOptions& options);
 void add_scalar_option(CLI::App& command, std::string& scalar);
+void add_window_option(CLI::App& command, FrameOptions& options);
 void add_leaf_option(CLI::App& command, Leaf& leaf);
 
 /// What the loader has to remark on a scene, on stderr, a line each.
@@ -57,6 +60,8 @@ void print_warnings(const Scene& scene);
 
 /// "640x480". Throws UsageError.
 std::pair<int, int> parse_size(const std::string& text);
+/// "X,Y,COLUMNS,ROWS" within `screen`. Throws UsageError.
+PixelWindow parse_window(const std::string& text, const Screen& screen);
 /// A whole number from `least` to `most`; `what` names it in the UsageError.
 int parse_number(const std::string& text, int least, int most, const std::string& what);
 /// A level from 0 to max_level_limit, or what the criterion asks of `screen` for "auto".
@@ -100,7 +105,8 @@ class PictureOutput {
   std::unique_ptr<File> file_;
 };
 
-/// A bar on stderr where that is a terminal, else a line every 10 s. `label`: what is going on.
+/// A bar on stderr where that is a terminal, else a line every 10 s; it says to stop when the user interrupts (see
+/// interrupt.h). `label`: what is going on.
 Progress progress_bar(const std::string& label);
 
 }  // namespace pyrasim::cli

@@ -37,12 +37,13 @@ int run(int argc, char** argv) {
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.set_version_flag("--version", fmt::format("pyrasim {}", version()));
   app.require_subcommand(0, 1);  // that there is one is checked below: the name of an unknown one is worth a word
-  app.footer("Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit.");
+  app.footer("Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit, 128 + N ended by signal N.");
   cli::Action action;
   cli::add_render_command(app, action);
   cli::add_simulate_command(app, action);
   cli::add_sweep_command(app, action);
   cli::add_budget_command(app, action);
+  cli::add_study_command(app, action);
   cli::add_compare_command(app, action);
   cli::add_check_command(app, action);
   cli::add_level_command(app, action);

@@ -21,6 +21,7 @@ Scene FrameOptions::load() const {
     const auto [columns, rows] = parse_size(size);
     loaded.camera.screen = resized(loaded.camera.screen, columns, rows);
   }
+  if (window) loaded.camera.window = parse_window(*window, loaded.camera.screen);
   return loaded;
 }
 
@@ -59,6 +60,13 @@ void add_scalar_option(CLI::App& command, std::string& scalar) {
       ->capture_default_str();
 }
 
+void add_window_option(CLI::App& command, FrameOptions& options) {
+  command
+      .add_option("--window", options.window,
+                  "only this part of the screen: its left column and top row, from 0, and its size, in pixels")
+      ->type_name("X,Y,COLUMNS,ROWS");
+}
+
 void print_warnings(const Scene& scene) {
   for (const std::string& warning : scene.warnings) std::cerr << "pyrasim: warning: " << one_line(warning) << '\n';
 }
@@ -80,6 +88,18 @@ std::pair<int, int> parse_size(const std::string& text) {
   }
   return {parse_number(text.substr(0, cross), 1, max_screen_size, "--size: columns"),
           parse_number(text.substr(cross + 1), 1, max_screen_size, "--size: rows")};
+}
+
+PixelWindow parse_window(const std::string& text, const Screen& screen) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 4) {
+    throw UsageError(
+        fmt::format("--window {}: X,Y,COLUMNS,ROWS is allowed, as in 0,0,64,48", text.empty() ? "(empty)" : text));
+  }
+  const int column = parse_number(parts[0], 0, screen.columns - 1, "--window: x");
+  const int row = parse_number(parts[1], 0, screen.rows - 1, "--window: y");
+  return {column, row, parse_number(parts[2], 1, screen.columns - column, "--window: columns"),
+          parse_number(parts[3], 1, screen.rows - row, "--window: rows")};
 }
 
 int parse_max_level(const std::string& text, const Screen& screen) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "error.h"
 #include "image/output_file.h"
 #include "image/write_image.h"
@@ -104,22 +105,24 @@ Progress progress_bar(const std::string& label) {
   const bool terminal = isatty(STDERR_FILENO) == 1;
   auto last = std::make_shared<Clock::time_point>(Clock::now());
   return [=](double share) {
+    const bool go_on = !interrupted();
+    const bool shown = share < 1 && go_on;
     const auto now = Clock::now();
-    if (now - *last < (terminal ? std::chrono::milliseconds(100) : std::chrono::seconds(10)) &&
-        (!terminal || share < 1)) {
-      return;
+    if (now - *last < (terminal ? std::chrono::milliseconds(100) : std::chrono::seconds(10)) && (!terminal || shown)) {
+      return go_on;
     }
     *last = now;
     const int percent = static_cast<int>(share * 100);
     if (!terminal) {
       std::cerr << fmt::format("{}: {} %\n", label, percent);
-      return;
+      return go_on;
     }
     constexpr int width = 40;
     const auto filled = static_cast<std::size_t>(share * width);
-    std::cerr << (share < 1 ? fmt::format("\r{} [{:<{}}] {:3} %", label, std::string(filled, '#'), width, percent)
-                            : fmt::format("\r{:{}}\r", "", label.size() + width + 10))
+    std::cerr << (shown ? fmt::format("\r{} [{:<{}}] {:3} %", label, std::string(filled, '#'), width, percent)
+                        : fmt::format("\r{:{}}\r", "", label.size() + width + 10))
               << std::flush;
+    return go_on;
   };
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/choice.h"
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/statistics_document.h"
 
 namespace pyrasim::cli {
@@ -28,9 +31,16 @@ struct RenderCommand {
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
-    const Rendering rendering = render(scene, chosen, formats, threads, progress_bar("rendering"));
+    Rendering rendering;
+    double done = 0;
+    const Progress progress = [&done, bar = progress_bar("rendering")](double share) {
+      done = share;
+      return bar(share);
+    };
+    run_interruptibly([&] { rendering = render(scene, chosen, formats, threads, progress); },
+                      [&] { return fmt::format("with {:.1f} % rendered", 100 * done); });
     picture.write(rendering.image);
-    if (statistics) statistics->write(text_of(render_document(frame.scene, chosen, formats, rendering)));
+    if (statistics) statistics->write(text_of(render_document(frame.scene, scene.camera, chosen, formats, rendering)));
   }
 };
 
@@ -40,6 +50,7 @@ void add_render_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<RenderCommand>();
   CLI::App* command = app.add_subcommand("render", "Render a frame without timing, by pyramids or by a peer.");
   add_frame_options(*command, options->frame);
+  add_window_option(*command, options->frame);
   add_scalar_option(*command, options->frame.scalar);
   options->image.add(*command);
   command->add_option("--method", options->method, "pyramids, or a peer: N x N rays a pixel, regular or jittered")

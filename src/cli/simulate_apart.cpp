@@ -4,24 +4,51 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstring>
 #include <exception>
 #include <system_error>
 
 #include "error.h"
+#include "hw_model/report/deadlock.h"
 
 namespace pyrasim::cli {
 namespace {
 
+bool write_all(int end, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(end, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return false;
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+std::string read_all(int end) {
+  std::string bytes;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const ssize_t received = read(end, buffer.data(), buffer.size());
+    if (received > 0) {
+      bytes.append(buffer.data(), static_cast<std::size_t>(received));
+    } else if (received == 0 || errno != EINTR) {
+      return bytes;
+    }
+  }
+}
+
+/// Sends the frame's cycles, and then why it is not finished, if so.
 [[noreturn]] void run_child(int result, const Scene& scene, const hw::MachineSpec& spec,
                             const hw::SimulationOptions& options) {
   bool written = false;
   try {
     hw::Processor processor("processor", scene, spec, options);
     sc_core::sc_start();
-    const bool finished = processor.complete() && processor.cycles() <= options.max_cycles;
-    const hw::Cycle cycles = finished ? processor.cycles() : hw::never;
-    written = write(result, &cycles, sizeof cycles) == static_cast<ssize_t>(sizeof cycles);
+    const hw::Cycle cycles = processor.cycles();
+    std::string bytes(sizeof cycles, 0);
+    std::memcpy(bytes.data(), &cycles, sizeof cycles);
+    written = write_all(result, bytes + hw::why_unfinished(processor));
   } catch (const std::exception&) {  // the parent sees that there is no result
   }
   _exit(written ? exit_ok : exit_run_failed);
@@ -29,20 +56,23 @@ namespace {
 
 }  // namespace
 
-std::optional<hw::Cycle> simulate_apart(const Scene& scene, const hw::MachineSpec& spec,
-                                        const hw::SimulationOptions& options) {
+ApartResult simulate_apart(const Scene& scene, const hw::MachineSpec& spec, const hw::SimulationOptions& options) {
   int ends[2];
   if (pipe(ends) != 0) throw RunError("pipe: " + std::system_category().message(errno));
   const pid_t child = fork();
   if (child == 0) run_child(ends[1], scene, spec, options);
+  const int fork_error = errno;
   close(ends[1]);
-  hw::Cycle cycles = hw::never;
-  const bool received = child > 0 && read(ends[0], &cycles, sizeof cycles) == static_cast<ssize_t>(sizeof cycles);
+  const std::string bytes = child > 0 ? read_all(ends[0]) : "";
   close(ends[0]);
-  if (child < 0) throw RunError("fork: " + std::system_category().message(errno));
-  waitpid(child, nullptr, 0);
-  if (!received) throw RunError("a simulation died");
-  return cycles == hw::never ? std::nullopt : std::optional(cycles);
+  if (child < 0) throw RunError("fork: " + std::system_category().message(fork_error));
+  int status = 0;
+  waitpid(child, &status, 0);
+  hw::Cycle cycles = 0;
+  if (status != 0 || bytes.size() < sizeof cycles) throw RunError("a simulation died");
+  std::memcpy(&cycles, bytes.data(), sizeof cycles);
+  const std::string why = bytes.substr(sizeof cycles);
+  return {why.empty() ? std::optional(cycles) : std::nullopt, why};
 }
 
 }  // namespace pyrasim::cli

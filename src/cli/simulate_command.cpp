@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/choice.h"
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/statistics_document.h"
 #include "hw_model/report/deadlock.h"
@@ -48,14 +51,19 @@ struct SimulateCommand {
     if (statistics) {
       for (hw::FifoBase* fifo : processor.fifos()) occupancies.push_back(std::make_unique<hw::Occupancy>(*fifo));
     }
-    sc_core::sc_start();
+    run_interruptibly([] { sc_core::sc_start(); },
+                      [&] {
+                        return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
+                                           processor.frame_buffer().stored(), processor.image().pixels().size());
+                      });
     hw::require_finished(processor);
     for (const auto& occupancy : occupancies) occupancy->end_frame(processor.cycles());
     picture.write(processor.image());
     if (vcd) vcd->write(recorder->text());
-    if (statistics) statistics->write(text_of(simulation_document(frame.scene, options, processor, occupancies)));
+    if (statistics)
+      statistics->write(text_of(simulation_document(frame.scene, scene.camera, options, processor, occupancies)));
     (stats == "-" || trace == "-" ? std::cerr : std::cout)
-        << simulation_table(frame.scene, options.max_level, processor);
+        << simulation_table(frame.scene, scene.camera, options.max_level, processor);
   }
 };
 
@@ -65,6 +73,7 @@ void add_simulate_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<SimulateCommand>();
   CLI::App* command = app.add_subcommand("simulate", "Simulate a frame on a machine, cycle by cycle.");
   add_frame_options(*command, options->frame);
+  add_window_option(*command, options->frame);
   add_scalar_option(*command, options->frame.scalar);
   options->image.add(*command);
   options->machine.add(*command);

@@ -50,6 +50,12 @@ std::string unit_lines(const hw::Processor& processor) {
 
 namespace {
 
+std::string window_text(const Camera& camera) {
+  if (!camera.window) return "";
+  const auto& [column, row, columns, rows] = *camera.window;
+  return fmt::format(", {}x{} of them from column {}, row {}", columns, rows, column, row);
+}
+
 std::string latency_line(const hw::Processor& processor) {
   hw::LatencyHistogram all;
   for (const hw::LatencyHistogram& level : processor.tree_accumulator().latencies()) all += level;
@@ -67,11 +73,13 @@ std::string bottleneck_lines(const hw::Processor& processor) {
 
 }  // namespace
 
-std::string simulation_table(const std::string& scene, int max_level, const hw::Processor& processor) {
+std::string simulation_table(const std::string& scene, const Camera& camera, int max_level,
+                             const hw::Processor& processor) {
   const hw::MachineSpec& spec = processor.spec();
   const bool met = processor.cycles() <= spec.budget();
-  std::string text = fmt::format("{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n\n", scene,
-                                 processor.image().columns(), processor.image().rows(), max_level, spec.name);
+  const Screen& screen = camera.screen;
+  std::string text = fmt::format("{} at {}x{} pixels{}, MAX_LEVEL {}, on machine {}\n\n", scene, screen.columns,
+                                 screen.rows, window_text(camera), max_level, spec.name);
   text += frame_lines(processor.statistics(), max_level);
   text += unit_lines(processor);
   text += fmt::format("\ncycles        {:>12}   {:.1f} frames per second at {} MHz\n", grouped(processor.cycles()),

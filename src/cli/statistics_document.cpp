@@ -12,11 +12,19 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json head(const std::string& scene, const std::string& method, int max_level, const DatapathFormats& formats,
-                  Leaf leaf, const Image& image) {
-  return {{"pyrasim", version()},     {"command", command_line()},  {"scene", scene},
-          {"method", method},         {"max_level", max_level},     {"leaf", leaf == Leaf::mean ? "mean" : "drop"},
-          {"scalar", formats.name()}, {"columns", image.columns()}, {"rows", image.rows()}};
+ordered_json head(const std::string& scene, const Camera& camera, const std::string& method, int max_level,
+                  const DatapathFormats& formats, Leaf leaf) {
+  ordered_json document{
+      {"pyrasim", version()},     {"command", command_line()},        {"scene", scene},
+      {"method", method},         {"max_level", max_level},           {"leaf", leaf == Leaf::mean ? "mean" : "drop"},
+      {"scalar", formats.name()}, {"columns", camera.screen.columns}, {"rows", camera.screen.rows}};
+  if (camera.window) {
+    document["window"] = {{"x", camera.window->column},
+                          {"y", camera.window->row},
+                          {"columns", camera.window->columns},
+                          {"rows", camera.window->rows}};
+  }
+  return document;
 }
 
 void add_counts(ordered_json& document, const FrameStatistics& statistics, int max_level) {
@@ -165,11 +173,11 @@ std::string text_of(const ordered_json& document) {
   return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-ordered_json render_document(const std::string& scene, const Method& method, const DatapathFormats& formats,
-                             const Rendering& rendering) {
+ordered_json render_document(const std::string& scene, const Camera& camera, const Method& method,
+                             const DatapathFormats& formats, const Rendering& rendering) {
   const int max_level = method.pyramid ? method.pyramids.max_level : 0;
   const FrameStatistics& statistics = rendering.statistics;
-  ordered_json document = head(scene, method.name(), max_level, formats, method.pyramids.leaf, rendering.image);
+  ordered_json document = head(scene, camera, method.name(), max_level, formats, method.pyramids.leaf);
   add_counts(document, statistics, max_level);
   add_events(document, statistics.arithmetic, formats);
   const std::uint64_t none = statistics.primary_rays() + subdivision_rays * statistics.subdivisions;
@@ -179,10 +187,10 @@ ordered_json render_document(const std::string& scene, const Method& method, con
   return document;
 }
 
-ordered_json simulation_document(const std::string& scene, const hw::SimulationOptions& options,
+ordered_json simulation_document(const std::string& scene, const Camera& camera, const hw::SimulationOptions& options,
                                  const hw::Processor& processor,
                                  const std::vector<std::unique_ptr<hw::Occupancy>>& occupancies) {
-  ordered_json document = head(scene, "pyramid", options.max_level, options.formats, options.leaf, processor.image());
+  ordered_json document = head(scene, camera, "pyramid", options.max_level, options.formats, options.leaf);
   document["engine"] = options.engine == hw::Engine::decoupled ? "decoupled" : "lockstep";
   add_counts(document, processor.statistics(), options.max_level);
   add_events(document, processor.statistics().arithmetic, options.formats);

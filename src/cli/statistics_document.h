@@ -14,12 +14,12 @@
 namespace pyrasim::cli {
 
 /// Of a rendered frame.
-nlohmann::ordered_json render_document(const std::string& scene, const Method& method, const DatapathFormats& formats,
-                                       const Rendering& rendering);
+nlohmann::ordered_json render_document(const std::string& scene, const Camera& camera, const Method& method,
+                                       const DatapathFormats& formats, const Rendering& rendering);
 
 /// Of a simulated frame. `occupancies`: of the processor's FIFOs, in their order.
-nlohmann::ordered_json simulation_document(const std::string& scene, const hw::SimulationOptions& options,
-                                           const hw::Processor& processor,
+nlohmann::ordered_json simulation_document(const std::string& scene, const Camera& camera,
+                                           const hw::SimulationOptions& options, const hw::Processor& processor,
                                            const std::vector<std::unique_ptr<hw::Occupancy>>& occupancies);
 
 /// The document as text. A name that is not UTF-8 shows with U+FFFD in its place.
@@ -29,6 +29,7 @@ std::string text_of(const nlohmann::ordered_json& document);
 double frames_per_second(const hw::Processor& processor);
 
 /// The simulation's statistics as a short table for people.
-std::string simulation_table(const std::string& scene, int max_level, const hw::Processor& processor);
+std::string simulation_table(const std::string& scene, const Camera& camera, int max_level,
+                             const hw::Processor& processor);
 
 }  // namespace pyrasim::cli

@@ -21,6 +21,7 @@ struct Point {
   Scene scene;  ///< on this point's screen
   int max_level;
   Leaf leaf;
+  std::shared_ptr<const Tracer> tracer;  ///< shared by the points of one size
   std::unique_ptr<hw::Processor> processor;
 };
 
@@ -44,9 +45,10 @@ struct SweepCommand {
       hw::SimulationOptions options;
       options.max_level = points[k].max_level;
       options.leaf = points[k].leaf;
+      options.tracer = points[k].tracer;
       options.max_cycles = machine.max_cycles;
       options.progress = [bar, k, all = points.size()](double share) {
-        bar((static_cast<double>(k) + share) / static_cast<double>(all));
+        return bar((static_cast<double>(k) + share) / static_cast<double>(all));
       };
       points[k].processor =
           std::make_unique<hw::Processor>(fmt::format("point_{}", k).c_str(), points[k].scene, spec, options);
@@ -66,11 +68,12 @@ struct SweepCommand {
         const auto [columns, rows] = parse_size(size);
         resized_scene.camera.screen = resized(loaded.camera.screen, columns, rows);
       }
+      const std::shared_ptr<const Tracer> tracer = make_tracer(resized_scene);
       for (const std::string& leaf : split(leaves, ',')) {
         if (leaf != "mean" && leaf != "drop") throw UsageError("--leaf " + leaf + ": mean and drop are allowed");
         for (const int level : parse_levels()) {
           check_addressable(resized_scene.camera.screen, level);
-          points.push_back({resized_scene, level, leaf == "mean" ? Leaf::mean : Leaf::drop, nullptr});
+          points.push_back({resized_scene, level, leaf == "mean" ? Leaf::mean : Leaf::drop, tracer, nullptr});
         }
       }
     }

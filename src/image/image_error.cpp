@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "error.h"
+#include "image/png.h"
 
 namespace pyrasim {
 namespace {
@@ -39,6 +40,19 @@ ImageError image_error(const Image& image, const Image& reference) {
   }
   if (!image.pixels().empty()) error.rmse = std::sqrt(sum / (3.0 * static_cast<double>(image.pixels().size())));
   return error;
+}
+
+std::uint64_t changed_pixels(const Image& image, const Image& reference) {
+  check_same_size(image, reference);
+  std::uint64_t changed = 0;
+  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+    const glm::vec3& a = image.pixels()[i];
+    const glm::vec3& b = reference.pixels()[i];
+    if (a == b) continue;
+    const auto differs = [](float x, float y) { return png_sample(x, {}) != png_sample(y, {}); };
+    if (differs(a.r, b.r) || differs(a.g, b.g) || differs(a.b, b.b)) ++changed;
+  }
+  return changed;
 }
 
 double psnr(const Image& image, const Image& reference) {

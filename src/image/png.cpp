@@ -68,18 +68,11 @@ std::vector<png_text> to_png_text(const TextChunks& chunks) {
   return text;
 }
 
-/// The stored integer nearest to the linear sample.
-unsigned quantize(float sample, const PngFormat& format) {
-  const double clamped = sample > 0 ? std::min(static_cast<double>(sample), 1.0) : 0.0;  // not-a-number: 0
-  const double signal = format.srgb ? srgb_from_linear(clamped) : clamped;
-  return static_cast<unsigned>(std::lround(signal * ((1U << static_cast<unsigned>(format.bits)) - 1U)));
-}
-
 void fill_row(std::vector<png_byte>& bytes, const Image& image, int row, const PngFormat& format) {
   bytes.clear();
   for (int column = 0; column < image.columns(); ++column) {
     for (int channel = 0; channel < 3; ++channel) {
-      const unsigned value = quantize(image.at(row, column)[channel], format);
+      const unsigned value = png_sample(image.at(row, column)[channel], format);
       if (format.bits == 16) bytes.push_back(static_cast<png_byte>(value >> 8U));
       bytes.push_back(static_cast<png_byte>(value & 0xFFU));
     }
@@ -182,6 +175,12 @@ void check_png_format(const PngFormat& format) {
   if (format.bits != 8 && format.bits != 16) {
     throw UsageError(fmt::format("{} bits per PNG sample; 8 or 16 are allowed", format.bits));
   }
+}
+
+unsigned png_sample(float sample, const PngFormat& format) {
+  const double clamped = sample > 0 ? std::min(static_cast<double>(sample), 1.0) : 0.0;
+  const double signal = format.srgb ? srgb_from_linear(clamped) : clamped;
+  return static_cast<unsigned>(std::lround(signal * ((1U << static_cast<unsigned>(format.bits)) - 1U)));
 }
 
 std::string encode_png(const Image& image, const PngFormat& format, const TextChunks& text) {

@@ -22,7 +22,10 @@ using TextChunks = std::vector<std::pair<std::string, std::string>>;
 /// Throws UsageError where `format` is not one that PNG has.
 void check_png_format(const PngFormat& format);
 
-/// The bytes of `image` as PNG. Samples are clamped to 0..1, not-a-number becoming 0, and rounded to nearest.
+/// The integer that is stored for a linear sample: clamped to 0..1, not-a-number becoming 0, and rounded to nearest.
+unsigned png_sample(float sample, const PngFormat& format);
+
+/// The bytes of `image` as PNG.
 /// Throws UsageError for a bad format, RunError where the PNG library refuses the picture.
 std::string encode_png(const Image& image, const PngFormat& format = {}, const TextChunks& text = {});
 

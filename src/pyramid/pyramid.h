@@ -28,6 +28,12 @@ struct Pyramid {
   std::uint32_t level = 0;  ///< L; the side is 2^-L of the pixel's
 };
 
+/// The grid address of the upper left corner of a window's pixel. `row`, `column`: counted inside the window.
+constexpr GridPoint pixel_corner(const PixelWindow& window, std::uint32_t row, std::uint32_t column, int max_level) {
+  return {(static_cast<std::uint32_t>(window.row) + row) << max_level,
+          (static_cast<std::uint32_t>(window.column) + column) << max_level};
+}
+
 /// The side of a pyramid of `level` in grid steps: 2^(MAX_LEVEL - L).
 constexpr std::uint32_t side(std::uint32_t level, int max_level) {
   return 1U << (static_cast<std::uint32_t>(max_level) - level);

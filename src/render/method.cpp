@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "error.h"
+#include "render/picture_memory.h"
 
 namespace pyrasim {
 namespace {
@@ -57,6 +58,7 @@ Method parse_method(std::string_view name) {
 Rendering render(const Scene& scene, const Method& method, const DatapathFormats& formats, int threads,
                  const Progress& progress) {
   if (method.pyramid) check_addressable(scene.camera.screen, method.pyramids.max_level);
+  check_picture_fits(scene.camera.rendered());
   if (formats.plain()) {
     return render_with(SceneTracer<double>(scene), scene, method, formats.view_vectors, threads, progress);
   }

@@ -27,7 +27,8 @@ Method parse_method(std::string_view name);
 void check_addressable(const Screen& screen, int max_level);
 
 /// Renders `scene` by `method` in the number formats `formats`, on `threads` threads (0: one for each core). Throws
-/// UsageError where the screen has more grid points than can be addressed.
+/// UsageError where the screen has more grid points than can be addressed, LimitError where the picture is too large.
+/// The picture is not finished where `progress` said to stop.
 Rendering render(const Scene& scene, const Method& method, const DatapathFormats& formats, int threads,
                  const Progress& progress = {});
 

@@ -10,8 +10,9 @@
 
 namespace pyrasim {
 
-/// Called with the finished share of a job, 0 to 1; never from two threads at once. May be empty.
-using Progress = std::function<void(double)>;
+/// Called with the finished share of a job, 0 to 1; never from two threads at once. Says whether to go on with the job.
+/// May be empty.
+using Progress = std::function<bool(double)>;
 
 /// The number of threads meant by `requested`: itself, or one for each core where it is 0.
 inline int thread_count(int requested) {
@@ -19,7 +20,8 @@ inline int thread_count(int requested) {
 }
 
 /// Runs the tasks 0 to `tasks` - 1, each once, started in ascending order, on `threads` threads: each has a
-/// Worker(context) and calls worker(task).
+/// Worker(context) and calls worker(task). Where `progress` says to stop, no further task is started; those that have
+/// been are finished, because others may wait for them.
 template <class Worker, class Context>
 void run_tasks(int tasks, int threads, const Progress& progress, Context& context) {
   std::atomic<int> next{0};
@@ -31,7 +33,7 @@ void run_tasks(int tasks, int threads, const Progress& progress, Context& contex
       worker(task);
       if (!progress) continue;
       const std::scoped_lock lock(report);
-      progress(static_cast<double>(++finished) / tasks);
+      if (!progress(static_cast<double>(++finished) / tasks)) next = tasks;
     }
   };
   std::vector<std::jthread> helpers;

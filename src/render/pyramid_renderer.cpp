@@ -29,8 +29,7 @@ struct Frame {
   const PyramidOptions& options;
   Palette palette;
   ViewVectors view_vectors;
-  int columns;
-  int rows;
+  PixelWindow window;
   Image image;
   std::vector<Seam> seams;  ///< seams[b] lies above band b
   std::mutex totals;
@@ -52,7 +51,7 @@ class BandWorker {
   /// Band `band`'s first row comes last: it needs the seam that the band above leaves behind.
   void operator()(int band) {
     first_row_ = band * band_rows;
-    const int rows = std::min(band_rows, frame_.rows - first_row_);
+    const int rows = std::min(band_rows, frame_.window.rows - first_row_);
     if (band == 0) trace_corner_row(0);
     for (int k = 0; k <= rows; ++k) borders_[k].clear();
     trace_corner_row(1);
@@ -88,8 +87,8 @@ class BandWorker {
   /// Corners of row first_row_ + k: each traced once, however many pixels share it.
   void trace_corner_row(int k) {
     auto& corners = corners_[k];
-    corners.resize(static_cast<std::size_t>(frame_.columns) + 1);
-    GridPoint point{static_cast<std::uint32_t>(first_row_ + k) << max_level_, 0};
+    corners.resize(static_cast<std::size_t>(frame_.window.columns) + 1);
+    GridPoint point = pixel_corner(frame_.window, static_cast<std::uint32_t>(first_row_ + k), 0, max_level_);
     for (Sample& corner : corners) {
       corner = trace(point);
       point.column += 1U << max_level_;
@@ -103,9 +102,10 @@ class BandWorker {
     vertical_border_.clear();
     border_above_ = &borders_[k];
     border_below_ = &borders_[k + 1];
-    for (int column = 0; column < frame_.columns; ++column) {
+    for (int column = 0; column < frame_.window.columns; ++column) {
       const auto nu = static_cast<std::size_t>(column);
-      pixel_ = {static_cast<std::uint32_t>(first_row_ + k) << max_level_, static_cast<std::uint32_t>(nu) << max_level_};
+      pixel_ = pixel_corner(frame_.window, static_cast<std::uint32_t>(first_row_ + k), static_cast<std::uint32_t>(nu),
+                            max_level_);
       frame_.image.at(first_row_ + k, column) = render_pixel({above[nu], above[nu + 1], below[nu], below[nu + 1]});
     }
   }
@@ -173,8 +173,8 @@ class BandWorker {
   Frame<AnyTracer>& frame_;
   const int max_level_;
   FrameStatistics statistics_;
-  int first_row_ = 0;
-  GridPoint pixel_;  ///< upper left corner of the current pixel
+  int first_row_ = 0;  ///< of the band, inside the window
+  GridPoint pixel_;    ///< upper left corner of the current pixel
   std::array<std::vector<Sample>, band_rows + 1> corners_;
   std::array<SampleCache, band_rows + 1> borders_;  ///< points on the lines between rows of pixels
   SampleCache* border_above_ = nullptr;
@@ -189,15 +189,15 @@ template <class AnyTracer>
 Rendering render_pyramids(const Scene& scene, const AnyTracer& tracer, const PyramidOptions& options,
                           const Progress& progress) {
   const Screen& screen = scene.camera.screen;
-  const int bands = (screen.rows + band_rows - 1) / band_rows;
+  const PixelWindow window = scene.camera.rendered();
+  const int bands = (window.rows + band_rows - 1) / band_rows;
   Frame<AnyTracer> frame{
       .tracer = tracer,
       .options = options,
       .palette = Palette(scene),
       .view_vectors = ViewVectors(screen, std::int64_t{1} << options.max_level, options.view_vectors),
-      .columns = screen.columns,
-      .rows = screen.rows,
-      .image = Image(screen.columns, screen.rows),
+      .window = window,
+      .image = Image(window.columns, window.rows),
       .seams = std::vector<Seam>(static_cast<std::size_t>(bands) + 1),
       .totals = {},
       .statistics = {}};

@@ -30,8 +30,8 @@ struct Rendering {
   FrameStatistics statistics;
 };
 
-/// Renders the scene on its camera's screen. Requires addressable(columns, rows, max_level). AnyTracer: Tracer, or
-/// SceneTracer<double> for speed.
+/// Renders the scene on its camera's screen, or on the window of it. Requires addressable(columns, rows, max_level).
+/// AnyTracer: Tracer, or SceneTracer<double> for speed.
 template <class AnyTracer>
 Rendering render_pyramids(const Scene& scene, const AnyTracer& tracer, const PyramidOptions& options,
                           const Progress& progress = {});

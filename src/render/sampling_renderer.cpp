@@ -26,6 +26,7 @@ struct SamplingFrame {
   Palette palette;
   std::uint32_t cell_steps;  ///< grid steps along a cell's side
   ViewVectors view_vectors;
+  PixelWindow window;
   Image image;
   std::mutex totals;
   Work work;
@@ -45,12 +46,15 @@ class RowWorker {
   }
 
   void operator()(int row) {
-    for (int column = 0; column < frame_.image.columns(); ++column) {
-      frame_.image.at(row, column) = pixel(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column));
+    const PixelWindow& window = frame_.window;
+    for (int column = 0; column < window.columns; ++column) {
+      frame_.image.at(row, column) =
+          pixel(static_cast<std::uint32_t>(window.row + row), static_cast<std::uint32_t>(window.column + column));
     }
   }
 
  private:
+  /// The screen's pixel.
   glm::vec3 pixel(std::uint32_t row, std::uint32_t column) {
     const auto grid = static_cast<std::uint32_t>(frame_.options.grid);
     std::array<double, 3> sum{};
@@ -86,22 +90,24 @@ class RowWorker {
 template <class AnyTracer>
 Rendering render_samples(const Scene& scene, const AnyTracer& tracer, const SamplingOptions& options,
                          const Progress& progress) {
-  const Screen& screen = scene.camera.screen;
+  const PixelWindow window = scene.camera.rendered();
   const std::uint32_t cell_steps = options.jitter ? jitter_steps : 2;
   SamplingFrame<AnyTracer> frame{
       .tracer = tracer,
       .options = options,
       .palette = Palette(scene),
       .cell_steps = cell_steps,
-      .view_vectors = ViewVectors(screen, static_cast<std::int64_t>(options.grid) * cell_steps, options.view_vectors),
-      .image = Image(screen.columns, screen.rows),
+      .view_vectors =
+          ViewVectors(scene.camera.screen, static_cast<std::int64_t>(options.grid) * cell_steps, options.view_vectors),
+      .window = window,
+      .image = Image(window.columns, window.rows),
       .totals = {},
       .work = {},
       .arithmetic = {}};
-  run_tasks<RowWorker<AnyTracer>>(screen.rows, thread_count(options.threads), progress, frame);
+  run_tasks<RowWorker<AnyTracer>>(window.rows, thread_count(options.threads), progress, frame);
   Rendering rendering{std::move(frame.image), {}};
   rendering.statistics.rays_by_level[0] =
-      static_cast<std::uint64_t>(screen.rows) * static_cast<std::uint64_t>(screen.columns) *
+      static_cast<std::uint64_t>(window.rows) * static_cast<std::uint64_t>(window.columns) *
       static_cast<std::uint64_t>(options.grid) * static_cast<std::uint64_t>(options.grid);
   rendering.statistics.work = frame.work;
   rendering.statistics.arithmetic = frame.arithmetic;

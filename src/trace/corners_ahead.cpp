@@ -12,15 +12,16 @@ constexpr std::int64_t least_rows_ahead = 4;
 
 }  // namespace
 
-CornersAhead::CornersAhead(const Tracer& tracer, const ViewVectors& view_vectors, const Screen& screen,
+CornersAhead::CornersAhead(const Tracer& tracer, const ViewVectors& view_vectors, const PixelWindow& window,
                            std::uint32_t steps, std::size_t out_of_order)
     : tracer_(tracer),
       view_vectors_(view_vectors),
       steps_(steps),
-      rows_(screen.rows + 1),
-      overlap_(static_cast<std::int64_t>(out_of_order) / (screen.columns + 1) + 1),
-      kept_(static_cast<std::size_t>(overlap_ + std::max(corners_ahead / (screen.columns + 1), least_rows_ahead))) {
-  for (Row& row : kept_) row.corners.resize(static_cast<std::size_t>(screen.columns) + 1);
+      first_{static_cast<std::uint32_t>(window.row) * steps, static_cast<std::uint32_t>(window.column) * steps},
+      rows_(window.rows + 1),
+      overlap_(static_cast<std::int64_t>(out_of_order) / (window.columns + 1) + 1),
+      kept_(static_cast<std::size_t>(overlap_ + std::max(corners_ahead / (window.columns + 1), least_rows_ahead))) {
+  for (Row& row : kept_) row.corners.resize(static_cast<std::size_t>(window.columns) + 1);
   thread_ = std::jthread([this] { run(); });
 }
 
@@ -46,7 +47,7 @@ void CornersAhead::run() {
 void CornersAhead::trace_row(std::int64_t number) {
   Row& row = kept_[static_cast<std::size_t>(number) % kept_.size()];
   row.number = -1;
-  GridPoint point{static_cast<std::uint32_t>(number) * steps_, 0};
+  GridPoint point{first_.row + static_cast<std::uint32_t>(number) * steps_, first_.column};
   for (Corner& corner : row.corners) {
     Work work;
     const Sample sample = tracer_.trace(view_vectors_(point), work);
@@ -60,14 +61,14 @@ void CornersAhead::trace_row(std::int64_t number) {
 }
 
 Sample CornersAhead::trace(GridPoint point, const glm::dvec3& view_vector, Work& work) {
-  const std::int64_t number = point.row / steps_;
+  const std::int64_t number = (point.row - first_.row) / steps_;
   if (number > newest_.load(std::memory_order_relaxed)) {
     newest_ = number;
     newest_.notify_one();
   }
   const Row& row = kept_[static_cast<std::size_t>(number) % kept_.size()];
   if (row.number.load(std::memory_order_acquire) != number) return tracer_.trace(view_vector, work);
-  const Corner& corner = row.corners[point.column / steps_];
+  const Corner& corner = row.corners[(point.column - first_.column) / steps_];
   work.box_tests += corner.box_tests;
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) work.surface_tests[kind] += corner.surface_tests[kind];
   return {corner.object, corner.shading};

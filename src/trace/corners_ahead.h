@@ -13,14 +13,15 @@
 
 namespace pyrasim {
 
-/// Traces the corners of the raster, row by row, on a thread of its own before somebody asks for them: which corners a
-/// frame needs is known from the start. Whoever asks for a corner that the thread has not come to traces it himself, so
-/// that a busy machine loses nothing. Results and work are those of Tracer::trace either way.
+/// Traces the corners of the raster (of the window that is rendered), row by row, on a thread of its own before
+/// somebody asks for them: which corners a frame needs is known from the start. Whoever asks for a corner that the
+/// thread has not come to traces it himself, so that a busy machine loses nothing. Results and work are those of
+/// Tracer::trace either way.
 class CornersAhead {
  public:
   /// The thread starts at once. `out_of_order`: a corner is asked for at most so many corners after another one that
   /// follows it in the raster. Corners are `steps` grid steps apart. `tracer` must outlive this.
-  CornersAhead(const Tracer& tracer, const ViewVectors& view_vectors, const Screen& screen, std::uint32_t steps,
+  CornersAhead(const Tracer& tracer, const ViewVectors& view_vectors, const PixelWindow& window, std::uint32_t steps,
                std::size_t out_of_order);
   ~CornersAhead();
   CornersAhead(const CornersAhead&) = delete;
@@ -51,6 +52,7 @@ class CornersAhead {
   const Tracer& tracer_;
   ViewVectors view_vectors_;
   std::uint32_t steps_;
+  GridPoint first_;  ///< the window's upper left corner; rows of corners count from it
   std::int64_t rows_;
   std::int64_t overlap_;                 ///< rows before the newest asked for that may still be asked for
   std::vector<Row> kept_;                ///< a ring

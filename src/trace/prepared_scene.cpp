@@ -53,8 +53,7 @@ class Preparation {
 
   void add(const Sphere& sphere) {
     const glm::dvec3 center = frame_.point(sphere.center);
-    prepared_.spheres.push_back(
-        {center, sphere.radius * sphere.radius, power(sphere), 1 / sphere.radius, next_identity()});
+    prepared_.spheres.push_back({center, sphere.radius * sphere.radius, power(sphere), sphere.radius, next_identity()});
     include(largest_component(center) + sphere.radius);
   }
 
@@ -127,7 +126,7 @@ class Preparation {
       sphere.center = {scaled(sphere.center.x), scaled(sphere.center.y), scaled(sphere.center.z)};
       sphere.radius_squared = std::ldexp(sphere.radius_squared, 2 * exponent);
       sphere.power = std::ldexp(sphere.power, 2 * exponent);
-      sphere.inverse_radius = std::ldexp(sphere.inverse_radius, -exponent);
+      sphere.radius = scaled(sphere.radius);
     }
     for (auto& plane : prepared_.planes) plane.offset = scaled(plane.offset);
     for (auto& triangle : prepared_.triangles) {

@@ -14,7 +14,7 @@ Vector<Scalar> rounded(const Vector<double>& v) {
 template <class Scalar>
 SphereSurface<Scalar> rounded(const SphereSurface<double>& sphere) {
   return {rounded<Scalar>(sphere.center), static_cast<Scalar>(sphere.radius_squared), static_cast<Scalar>(sphere.power),
-          static_cast<Scalar>(sphere.inverse_radius), sphere.identity};
+          static_cast<Scalar>(sphere.radius), sphere.identity};
 }
 
 template <class Scalar>

@@ -39,8 +39,8 @@ template <class Scalar>
 struct SphereSurface {
   Vector<Scalar> center;
   Scalar radius_squared;
-  Scalar power;           ///< |center|^2 - radius^2, the origin's power: positive outside; rounded once
-  Scalar inverse_radius;  ///< for the normal
+  Scalar power;   ///< |center|^2 - radius^2, the origin's power: positive outside; rounded once
+  Scalar radius;  ///< for the normal
   SurfaceIdentity identity;
 };
 

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Watertight ray-triangle test (Woop, Benthin, Wald, Journal of Computer Graphics Techniques 2013): neighbours compute
 // a shared edge from the same numbers, so a ray cannot slip between them. Edges and vertices belong to the triangle.
+//
+// An edge function is the difference of two rounded products, so its sign is right or it is 0, and 0 counts as inside:
+// a triangle that holds the ray is hit in every format, as long as it has an area left. One that does not can be hit
+// too where it is smaller than a rounding of its distance from the ray, and all its edge functions come out as 0 or of
+// one sign. The bounds of its vertices tell that exactly.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -33,6 +39,12 @@ struct TriangleShear {
   }
 };
 
+/// Whether the ray, which is at 0, passes a triangle whose vertices are at `a`, `b` and `c`.
+template <class Scalar>
+bool beside(Scalar a, Scalar b, Scalar c) {
+  return std::min(std::min(a, b), c) > Scalar(0) || std::max(std::max(a, b), c) < Scalar(0);
+}
+
 /// The t > 0 at which the view ray meets the triangle from either side, or 0 where there is none.
 template <class Scalar>
 Scalar intersect_triangle(const TriangleSurface<Scalar>& triangle, const TriangleShear<Scalar>& shear) {
@@ -43,6 +55,7 @@ Scalar intersect_triangle(const TriangleSurface<Scalar>& triangle, const Triangl
   const Scalar by = b[shear.ky] - shear.sy * b[shear.kz];
   const Scalar cx = c[shear.kx] - shear.sx * c[shear.kz];
   const Scalar cy = c[shear.ky] - shear.sy * c[shear.kz];
+  if (beside(ax, bx, cx) || beside(ay, by, cy)) return Scalar(0);
   const Scalar u = cx * by - cy * bx;  // the edge functions: twice the areas opposite a, b and c
   const Scalar v = ax * cy - ay * cx;
   const Scalar w = bx * ay - by * ax;

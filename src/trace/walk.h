@@ -120,8 +120,8 @@ class Walk {
   Sample shade_sphere(const SphereSurface<Scalar>& sphere) const {
     if (!scene_.lit) return {sphere.identity.object, 1.0};
     const Vector<Scalar> outward = ray_.direction * nearest_.t - sphere.center;
-    const Scalar side = sphere.power < Scalar(0) ? -sphere.inverse_radius : sphere.inverse_radius;
-    const Scalar cosine = dot(outward, scene_.towards_light) * side;
+    const Scalar side = sphere.power < Scalar(0) ? -sphere.radius : sphere.radius;
+    const Scalar cosine = dot(outward, scene_.towards_light) / side;
     const Scalar lit = std::min(std::max(Scalar(0), cosine), Scalar(1));
     return {sphere.identity.object, static_cast<double>(scene_.ambient + (Scalar(1) - scene_.ambient) * lit)};
   }

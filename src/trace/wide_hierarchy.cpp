@@ -10,12 +10,15 @@
 namespace pyrasim {
 namespace {
 
-/// Roundings of the largest coordinate by which bounds are grown. The tests of boxes and surfaces err by a few each;
-/// with the margin a ray that a surface counts as hit never misses the box around it, so that results do not depend on
-/// the hierarchy. There is an exception: where products of coordinates fall below the smallest number of a narrow
+/// Roundings (2^(1-P)) of the largest coordinate by which bounds are grown, so that a ray that a surface counts as hit
+/// never misses the box around it, and results do not depend on the hierarchy. A slope is exact, a bound errs by 1/2 of
+/// a rounding. Of a sphere, the centre errs by 1/2, the component across the ray by 1 in each coordinate, the squares
+/// by 2 of the radius; t, which is compared with the depth of boxes, by 5. Of a triangle, a sheared coordinate errs by
+/// 3/2, and t, a mean of its vertices, by 3. In a narrow format the boxes so become wide, and more surfaces are tested.
+/// There is an exception: where products of coordinates fall below the smallest number of a narrow
 /// format, a test has nothing left to decide by, and a triangle may count as hit by rays far from it; whether it is
 /// asked then depends on the boxes.
-constexpr double margin_roundings = 32;
+constexpr double margin_roundings = 8;
 
 /// How far from a surface a ray may run that the datapath counts as a hit.
 class Margin {
@@ -49,8 +52,7 @@ double largest_coordinate(const glm::dvec3& point) {
 }
 
 BoundingBox bounds_of(const SphereSurface<double>& sphere, const Margin& margin) {
-  const double radius = 1 / sphere.inverse_radius;
-  return seen_sphere(sphere.center, radius, margin.of(largest_coordinate(sphere.center) + radius));
+  return seen_sphere(sphere.center, sphere.radius, margin.of(largest_coordinate(sphere.center) + sphere.radius));
 }
 
 BoundingBox bounds_of(const TriangleSurface<double>& triangle, const Margin& margin) {

@@ -84,6 +84,12 @@ int run(const std::string& file, int max_level, int rounds, const std::string& s
     begun = seconds_now();
   };
   std::vector<std::unique_ptr<hw::Processor>> processors;
+  const auto until_end = [&](double& time) {
+    return [&](double share) {
+      if (share >= 1) keep_fastest(time, seconds_now() - begun);
+      return true;
+    };
+  };
   hw::SimulationOptions options;
   options.max_level = max_level;
   for (int round = 0; round < rounds; ++round) {
@@ -91,14 +97,10 @@ int run(const std::string& file, int max_level, int rounds, const std::string& s
       render(2, times.render_two_threads);
       render(1, times.render);
     });
-    options.progress = [&](double share) {
-      if (share >= 1) keep_fastest(times.decoupled, seconds_now() - begun);
-    };
+    options.progress = until_end(times.decoupled);
     processors.push_back(
         std::make_unique<hw::Processor>(fmt::format("decoupled_{}", round).c_str(), scene, spec, options));
-    options.progress = [&](double share) {
-      if (share >= 1) keep_fastest(times.decoupled_two_threads, seconds_now() - begun);
-    };
+    options.progress = until_end(times.decoupled_two_threads);
     options.threads = 2;
     sc_core::sc_spawn([&] { begun = seconds_now(); });
     processors.push_back(
@@ -106,9 +108,7 @@ int run(const std::string& file, int max_level, int rounds, const std::string& s
     options.threads = 1;
   }
   options.engine = hw::Engine::lockstep;
-  options.progress = [&](double share) {
-    if (share >= 1) keep_fastest(times.lockstep, seconds_now() - begun);
-  };
+  options.progress = until_end(times.lockstep);
   sc_core::sc_spawn([&] { begun = seconds_now(); });
   processors.push_back(std::make_unique<hw::Processor>("lockstep", scene, spec, options));
   FifoYardstick yardstick("yardstick");

@@ -130,6 +130,29 @@ class Agreement(tool.EndToEnd):
             self.assertEqual(tool.read_pfm(picture)[:2], (31, 23))
             self.assertEqual(tool.sha256_of_pfm(picture), document["image"]["sha256"])
 
+    def test_window(self):
+        """A window's pixels are those of the whole picture, whoever renders it."""
+        column, row, columns, rows = window = (13, 7, 40, 21)
+        whole, part = self.folder / "whole.pfm", self.folder / "part.pfm"
+        for arguments in (["render"], ["render", "--method", "grid:2"], ["render", "--method", "jitter:2"],
+                          ["simulate"], ["simulate", "--engine", "lockstep"]):
+            frame = [arguments[0], SCENES / "keel.json", *arguments[1:], "--size", "96x72"]
+            document = self.stats(*frame, "-o", whole)
+            self.assertNotIn("window", document)
+            document = self.stats(*frame, "--window", ",".join(map(str, window)), "-o", part)
+            self.assertEqual((document["columns"], document["rows"]), (96, 72))
+            self.assertEqual(document["window"], {"x": column, "y": row, "columns": columns, "rows": rows})
+            expected = [line[12 * column : 12 * (column + columns)]
+                        for line in tool.read_pfm(whole)[2][row : row + rows]]
+            self.assertEqual(tool.read_pfm(part), (columns, rows, expected), arguments)
+            self.assertGreater(len(set(expected)), 1)
+        table = self.ok("simulate", SCENES / "keel.json", "--size", "96x72", "--window", "13,7,40,21")
+        self.assertIn("keel.json at 96x72 pixels, 40x21 of them from column 13, row 7, MAX_LEVEL 3", table)
+        rendered = self.counts("render", SCENES / "keel.json", "--size", "96x72", "--window", "13,7,40,21")
+        simulated = self.counts("simulate", SCENES / "keel.json", "--size", "96x72", "--window", "13,7,40,21")
+        self.assertEqual(simulated, rendered)
+        self.assertEqual(rendered["rays"]["primary"], 41 * 22)
+
     def test_empty_scene(self):
         empty = self.write("empty.json", tool.scene([], columns=640, rows=480))
         for command in (["render"], ["render", "--reuse", "frame"], ["simulate"], ["simulate", "--engine", "lockstep"]):

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Usage mistakes, and what the small commands print."""
 
+import os
 import re
 
 import tool
-from tool import SCENES, USAGE
+from tool import LIMIT, SCENES, USAGE
 
-COMMANDS = ("render", "simulate", "sweep", "budget", "compare", "check", "level")
+COMMANDS = ("render", "simulate", "sweep", "budget", "study", "compare", "check", "level")
 KEEL = SCENES / "keel.json"
 
 
@@ -16,7 +17,8 @@ class Commands(tool.EndToEnd):
         for command in COMMANDS:
             self.assertRegex(text, rf"(?m)^  {command} ")
             self.assertIn("--help", self.ok(command, "--help"))
-        self.assertIn("Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit.", text)
+        self.assertIn("Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit, "
+                      "128 + N ended by signal N.", text)
         self.assertRegex(self.ok("--version"), r"^pyrasim \d+\.\d+\.\d+\S*\n$")
 
     def test_usage(self):
@@ -40,8 +42,27 @@ class Commands(tool.EndToEnd):
                     ("--scalar", "intersection=fix24.12", "13 fraction bits or more"),
                     ("--png-bits", "9", "9"), ("--png-encoding", "cmyk", "cmyk")):
                 self.refused(USAGE, command, KEEL, option, value, "-o", "out.png", says=says)
+            for window, says in (
+                    ("", "--window (empty): X,Y,COLUMNS,ROWS is allowed"), ("1,2,3", "as in 0,0,64,48"),
+                    ("1,2,3,4,5", "as in 0,0,64,48"), ("64x48", "as in 0,0,64,48"), (",0,1,1", "x (empty)"),
+                    ("-1,0,1,1", "x -1: a whole number from 0 to 63 is"), ("64,0,1,1", "x 64: a whole number from 0 to 63"),
+                    ("0,48,1,1", "y 48: a whole number from 0 to 47"), ("0,0,0,1", "columns 0: a whole number from 1 to 64"),
+                    ("60,0,5,1", "columns 5: a whole number from 1 to 4"), ("0,47,1,2", "rows 2: a whole number from 1 to 1"),
+                    ("0,0,1,1.5", "rows 1.5"), ("0,0,1,99999999999999999999", "rows 9999"), ("0,0, 1,1", "columns  1")):
+                self.refused(USAGE, command, KEEL, "--size", "64x48", "--window", window, "-o", "out.png", says=says)
             self.refused(USAGE, command, KEEL, KEEL, says="keel.json")
             self.refused(USAGE, command, KEEL, "--size", says="--size")
+
+    def test_picture_larger_than_memory(self):
+        size = 65535
+        if 24 * size * size <= os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"):
+            self.skipTest("this machine holds the largest picture")
+        for command in ("render", "simulate", "budget"):
+            output = ["--stats", "out.json"] if command == "budget" else ["-o", "out.png"]
+            self.refused(LIMIT, command, KEEL, "--size", f"{size}x{size}", *output,
+                         says="a picture of 65535x65535 pixels takes 96.0 GiB of memory")
+        for command in ("render", "simulate"):
+            self.ok(command, KEEL, "--size", f"{size}x{size}", "--window", "65527,65527,8,8", "--max-level", 16)
 
     def test_usage_of_one_command(self):
         for method in ("paint", "grid", "grid:", "grid:0", "grid:257", "grid:2x", "jitter:-1", "point:2", ""):

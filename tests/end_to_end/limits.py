@@ -54,9 +54,17 @@ class MaxCycles(tool.EndToEnd):
 
     def test_budget(self):
         cycles = self.stats("budget", *SMALL)["cycles"]
-        self.refused(LIMIT, "budget", *SMALL, "--max-cycles", cycles - 1, "--stats", "out.json",
+        self.refused(LIMIT, "budget", *SMALL, "--max-cycles", cycles - 1, "--stats", "out.json", more_lines=True,
                      says=f"the frame is not finished within {cycles - 1} cycles")
         self.ok("budget", *SMALL, "--max-cycles", cycles, "--stats", "out.json")
+
+    def test_budget_reports_the_state_as_simulate_does(self):
+        """The state of a machine with 256 units comes in many pieces from the process that simulates it."""
+        for arguments in ([], ["--set", "intersection.units=256"]):
+            limited = [*SMALL, *arguments, "--max-cycles", 500]
+            of_simulate, of_budget = (self.run_tool(command, *limited) for command in ("simulate", "budget"))
+            self.assertEqual((of_budget.returncode, of_budget.stderr), (LIMIT, of_simulate.stderr))
+            self.assertIn("\n  frame_buffer: ready at ", of_budget.stderr)
 
     def test_usage(self):
         for command in ("simulate", "sweep", "budget"):

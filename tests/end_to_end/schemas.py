@@ -140,6 +140,7 @@ class Schemas(tool.EndToEnd):
                 ["render", keel, *small, "--method", "jitter:2", "--seed", "7"],
                 ["render", keel, "--size", "2x2", "--max-level", "16"], ["render", empty],
                 ["simulate", keel, *small], ["simulate", keel, *small, "--engine", "lockstep", "--scalar", "float"],
+                ["render", keel, *small, "--window", "3,2,8,6"], ["simulate", keel, *small, "--window", "0,17,24,1"],
                 ["simulate", keel, *small, "--max-level", "0"], ["simulate", spheres, *small, "--leaf", "drop"],
                 ["simulate", spheres, *small, "--machine", MACHINES / "small.json"],
                 ["simulate", spheres, *small, "--machine", MACHINES / "wide.json"],
@@ -157,7 +158,8 @@ class Schemas(tool.EndToEnd):
         self.assertEqual(rays["by_level"][0], rays["primary"])
         self.assertEqual(sum(rays["by_level"]), rays["total"])
         self.assertEqual(rays["primary"] + rays["subdivision"], rays["total"])
-        pixels = document["columns"] * document["rows"]
+        picture = document.get("window", document)
+        pixels = picture["columns"] * picture["rows"]
         if document["method"] == "pyramid":
             self.assertEqual(document["terminal_nodes"], pixels + 3 * document["subdivisions"])
             self.assertEqual(sum(document["cases"]["by_level"][0].values()), pixels)
@@ -187,6 +189,9 @@ class Schemas(tool.EndToEnd):
             (["image", "sha256"], "0" * 63), (["image", "sha256"], "G" * 64), (["columns"], 0)]
         self.assert_refused(validator, self.stats("render", keel, "--size", "8x6"),
                             both + [(["engine"], "lockstep"), (["units"], []), (["rays_by_reuse", "pixel"], None)])
+        self.assert_refused(validator, self.stats("render", keel, "--size", "8x6", "--window", "0,0,8,6"), [
+            (["window", "x"], -1), (["window", "y"], 65535), (["window", "columns"], 0), (["window", "rows"], None),
+            (["window", "width"], 8), (["window"], [0, 0, 8, 6])])
         self.assert_refused(validator, self.stats("simulate", keel, "--size", "8x6"), both + [
             (["engine"], None), (["engine"], "fast"), (["machine"], None), (["units"], None), (["fifos"], None),
             (["method"], "grid:2"), (["machine", "cycles"], 0), (["machine", "budget", "met"], 1),

@@ -70,7 +70,7 @@ class Fifo final : public AnyFifo {
 /// unused and is not in the Timeline.
 struct Board {
   MachineSpec spec;
-  Screen screen;
+  PixelWindow window;
   int max_level;
   ViewVectors view_vectors;
   std::unique_ptr<Tracer> tracer;
@@ -109,19 +109,19 @@ struct PixelScan final : Box {
   int row = 0, column = 0;
 
   Cycle fire(Cycle now) override {
-    const Screen& screen = board.screen;
+    const PixelWindow& window = board.window;
     const bool completes_pixel = row > 0 && column > 0;
-    if (row > screen.rows || !board.corners.has_room()) return 0;
+    if (row > window.rows || !board.corners.has_room()) return 0;
     if (completes_pixel && !board.slots.readable(now)) return 0;
-    CornerRequest corner{
-        {static_cast<std::uint32_t>(row) << board.max_level, static_cast<std::uint32_t>(column) << board.max_level},
-        {}};
+    CornerRequest corner{{static_cast<std::uint32_t>(window.row + row) << board.max_level,
+                          static_cast<std::uint32_t>(window.column + column) << board.max_level},
+                         {}};
     if (completes_pixel) {
-      const int pixel = (row - 1) * screen.columns + column - 1;
+      const int pixel = (row - 1) * window.columns + column - 1;
       corner.tag = {static_cast<std::uint32_t>(pixel), board.slots.read(now).slot};
     }
     board.corners.write(now, corner);
-    if (++column > screen.columns) {
+    if (++column > window.columns) {
       column = 0;
       ++row;
     }
@@ -221,14 +221,15 @@ struct PyramidClassifier final : Box {
 
   bool corner_sample(Cycle now, const SampleMessage& message) {
     if (message.tag.pixel != no_pixel) {
-      const auto columns = static_cast<std::uint32_t>(board.screen.columns);
-      const GridPoint corner{message.tag.pixel / columns << board.max_level,
-                             message.tag.pixel % columns << board.max_level};
+      const PixelWindow& window = board.window;
+      const auto pixel = static_cast<int>(message.tag.pixel);
+      const GridPoint corner{static_cast<std::uint32_t>(window.row + pixel / window.columns) << board.max_level,
+                             static_cast<std::uint32_t>(window.column + pixel % window.columns) << board.max_level};
       const CornerSamples corners{row[0], row[1], row.back(), message.sample};
       if (!classify_node(now, {{corner, 0}, message.tag, corners})) return false;
     }
     row.push_back(message.sample);
-    if (row.size() > static_cast<std::size_t>(board.screen.columns) + 2) row.pop_front();
+    if (row.size() > static_cast<std::size_t>(board.window.columns) + 2) row.pop_front();
     return true;
   }
 
@@ -345,7 +346,7 @@ struct TreeAccumulator final : Box {
 
 struct FrameBuffer final : Box {
   using Box::Box;
-  int missing = board.screen.rows * board.screen.columns;  ///< pixels not stored yet
+  int missing = board.window.rows * board.window.columns;  ///< pixels not stored yet
 
   Cycle fire(Cycle now) override {
     if (!board.pixels.readable(now)) return 0;
@@ -387,7 +388,7 @@ bool at_rest(const Board& board, const std::map<std::string, AnyFifo*>& fifos) {
 Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_level, const DatapathFormats& formats) {
   constexpr Cycle patience = 1'000'000;  // more than any firing takes
   Board board{spec,
-              scene.camera.screen,
+              scene.camera.rendered(),
               max_level,
               ViewVectors(scene.camera.screen, std::int64_t{1} << max_level, formats.view_vectors),
               make_tracer(scene, formats.intersection),

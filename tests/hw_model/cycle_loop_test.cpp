@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "../test_scenes.h"
+#include "../windows.h"
 #include "random_machine.h"
 #include "simulation.h"
 #include "timeline.h"
@@ -189,6 +190,7 @@ Case random_case(std::mt19937_64& random) {
   if (random() % 4 == 0) result.options.formats.intersection = FormatOf<float>::value;
   if (random() % 4 == 0) result.options.formats.view_vectors = FormatOf<Tf32>::value;
   result.spec = random_machine(random, result.options.max_level);
+  if (random() % 4 == 0) result.scene.camera.window = random_window(random, result.scene.camera.screen);
   return result;
 }
 

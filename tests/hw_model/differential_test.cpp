@@ -5,6 +5,7 @@
 #include <random>
 
 #include "../test_scenes.h"
+#include "../windows.h"
 #include "random_machine.h"
 #include "simulation.h"
 
@@ -29,7 +30,8 @@ TEST_P(RandomMachines, EnginesAgreeInEveryAccount) {
   for (int k = 0; k < machines_per_case; ++k) {
     const auto columns = static_cast<int>(1 + random() % 16);
     const auto rows = static_cast<int>(1 + random() % 12);
-    const Scene scene = random_scene(random(), {12, 12, k % 4 == 0 ? 1 : 0}, columns, rows);
+    Scene scene = random_scene(random(), {12, 12, k % 4 == 0 ? 1 : 0}, columns, rows);
+    if (k % 3 == 0) scene.camera.window = random_window(random, scene.camera.screen);
     SimulationOptions options;
     options.max_level = static_cast<int>(random() % 6);
     options.leaf = random() % 2 == 0 ? Leaf::mean : Leaf::drop;

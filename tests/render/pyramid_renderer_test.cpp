@@ -173,8 +173,22 @@ TEST(PyramidRenderer, ProgressEndsAtOne) {
   render_pyramids(scene, SceneTracer<double>(scene), {.threads = 2}, [&](double share) {
     EXPECT_GE(share, last);
     last = share;
+    return true;
   });
   EXPECT_EQ(last, 1);
+}
+
+/// Each thread finishes the band that it has begun, and the one that needs its seam does not wait forever.
+TEST(PyramidRenderer, ProgressCanStopIt) {
+  const Scene scene = random_scene(26, {2, 2, 0}, 20, 200);
+  for (int round = 0; round < 20; ++round) {
+    int reports = 0;
+    render_pyramids(scene, SceneTracer<double>(scene), {.threads = 4}, [&](double) {
+      ++reports;
+      return false;
+    });
+    EXPECT_LE(reports, 4);
+  }
 }
 
 }  // namespace

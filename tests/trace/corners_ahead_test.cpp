@@ -4,15 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
 #include <numeric>
 #include <random>
+#include <thread>
 
 #include "../test_scenes.h"
 
 namespace pyrasim {
 namespace {
 
-/// All corners of a screen, each once, within `out_of_order` of the raster's order.
+/// All corners of a raster, each once, within `out_of_order` of the raster's order.
 std::vector<std::size_t> nearly_in_order(std::size_t corners, std::size_t out_of_order, std::mt19937_64& random) {
   std::vector<std::size_t> order(corners);
   std::iota(order.begin(), order.end(), 0U);
@@ -26,18 +29,20 @@ std::vector<std::size_t> nearly_in_order(std::size_t corners, std::size_t out_of
 
 TEST(CornersAhead, AreThoseOfTheTracerInWhateverOrder) {
   std::mt19937_64 random(1);
-  for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 300}, {300, 1}, {33, 41}, {5000, 6}}) {
+  for (const PixelWindow& window : std::vector<PixelWindow>{
+           {0, 0, 1, 1}, {0, 0, 1, 300}, {0, 0, 300, 1}, {0, 0, 33, 41}, {0, 0, 5000, 6}, {17, 23, 33, 41}}) {
     for (const std::size_t out_of_order : {0, 1, 7, 200}) {
-      const Scene scene = random_scene(3, {20, 20, 1}, columns, rows);
+      const auto& [left, top, columns, rows] = window;
+      const Scene scene = random_scene(3, {20, 20, 1}, 2 * left + columns, 2 * top + rows);
       constexpr std::uint32_t steps = 8;
       const auto tracer = make_tracer(scene);
       const ViewVectors view_vectors(scene.camera.screen, steps);
-      CornersAhead ahead(*tracer, view_vectors, scene.camera.screen, steps, out_of_order);
+      CornersAhead ahead(*tracer, view_vectors, window, steps, out_of_order);
       const auto width = static_cast<std::size_t>(columns) + 1;
       for (const std::size_t corner :
            nearly_in_order(width * (static_cast<std::size_t>(rows) + 1), out_of_order, random)) {
-        const GridPoint point{static_cast<std::uint32_t>(corner / width) * steps,
-                              static_cast<std::uint32_t>(corner % width) * steps};
+        const GridPoint point{(static_cast<std::uint32_t>(top) + static_cast<std::uint32_t>(corner / width)) * steps,
+                              (static_cast<std::uint32_t>(left) + static_cast<std::uint32_t>(corner % width)) * steps};
         const glm::dvec3 view_vector = view_vectors(point);
         Work work;
         Work expected_work;
@@ -49,12 +54,47 @@ TEST(CornersAhead, AreThoseOfTheTracerInWhateverOrder) {
   }
 }
 
+/// Counts the rays of another tracer.
+class CountingTracer final : public Tracer {
+ public:
+  explicit CountingTracer(const Scene& scene) : tracer_(make_tracer(scene)) {}
+  Sample trace(const glm::dvec3& view_vector, Work& work) const override {
+    ++rays_;
+    return tracer_->trace(view_vector, work);
+  }
+  SceneContents contents() const override { return tracer_->contents(); }
+  std::size_t rays() const { return rays_; }
+
+ private:
+  std::unique_ptr<Tracer> tracer_;
+  mutable std::atomic<std::size_t> rays_{0};
+};
+
+/// Given time, the thread has traced all rows but the first, wherever the window lies; nobody traces them again. Its
+/// last row may still lack its number.
+TEST(CornersAhead, SpareWhoAsksHisRays) {
+  const Scene scene = random_scene(3, {5, 5, 0}, 200, 100);
+  for (const PixelWindow& window : std::vector<PixelWindow>{{0, 0, 20, 30}, {150, 60, 20, 30}}) {
+    const CountingTracer tracer(scene);
+    const ViewVectors view_vectors(scene.camera.screen, 1);
+    CornersAhead ahead(tracer, view_vectors, window, 1, 0);
+    while (tracer.rays() < std::size_t{30} * 21) std::this_thread::yield();
+    for (std::uint32_t corner = 0; corner < 31 * 21; ++corner) {
+      const GridPoint point = {static_cast<std::uint32_t>(window.row) + corner / 21,
+                               static_cast<std::uint32_t>(window.column) + corner % 21};
+      Work work;
+      ahead.trace(point, view_vectors(point), work);
+    }
+    EXPECT_LE(tracer.rays(), 32U * 21);
+  }
+}
+
 TEST(CornersAhead, CanBeLeftAtAnyTime) {
   const Scene scene = random_scene(3, {5, 5, 0}, 640, 480);
   const auto tracer = make_tracer(scene);
   const ViewVectors view_vectors(scene.camera.screen, 1);
   for (std::uint32_t asked = 0; asked < 20; ++asked) {
-    CornersAhead ahead(*tracer, view_vectors, scene.camera.screen, 1, 0);
+    CornersAhead ahead(*tracer, view_vectors, scene.camera.rendered(), 1, 0);
     for (std::uint32_t column = 0; column < asked; ++column) {
       Work work;
       ahead.trace({0, column}, view_vectors({0, column}), work);

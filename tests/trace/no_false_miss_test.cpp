@@ -132,14 +132,14 @@ void expect_no_false_miss(std::uint64_t seed) {
     glm::dvec3 view_vector = provocation.view_vector();
     if (k % 2 == 0 && !spheres.empty()) {
       const auto& sphere = spheres[k % spheres.size()];
-      const double radius = 1 / static_cast<double>(sphere.inverse_radius);
+      const double radius = static_cast<double>(sphere.radius);
       const glm::dvec3 grazing =
           provocation.graze(glm::dvec3(sphere.center), radius, static_cast<double>(epsilon<Scalar>()));
       if (std::abs(grazing.y) <= std::abs(view_vector.y) && std::abs(grazing.z) <= std::abs(view_vector.z)) {
         view_vector = grazing;  // on the screen; none where the observer is inside
       }
     }
-    const auto direction = to_scalar<Scalar>(view_vector);
+    const auto direction = to_scalar<Scalar>(view_vector / view_vector.x);
     Work work;
     ASSERT_EQ(tracer.trace(direction, work).object, object_by_testing_all(tracer.scene(), direction)) << "ray " << k;
   }
@@ -150,6 +150,9 @@ TEST(Hierarchy, NeverMissesWhatTestingEverySurfaceHits) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_no_false_miss<double>(seed);
     expect_no_false_miss<float>(seed);
+    expect_no_false_miss<Fp24>(seed);
+    expect_no_false_miss<Tf32>(seed);
+    expect_no_false_miss<Bf16>(seed);
   }
 }
 

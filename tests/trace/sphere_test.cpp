@@ -14,7 +14,7 @@ class SphereOf : public testing::Test {
   /// t of the ray along `direction`; exact input gives exact intermediate values in all of these cases.
   static Scalar hit(const V& center, Scalar radius, const V& direction) {
     const Scalar power = dot(center, center) - radius * radius;
-    const SphereSurface<Scalar> sphere{center, radius * radius, power, Scalar(1) / radius, {0, 0}};
+    const SphereSurface<Scalar> sphere{center, radius * radius, power, radius, {0, 0}};
     return intersect_sphere(sphere, direction, Scalar(1) / dot(direction, direction));
   }
 };

@@ -44,6 +44,7 @@ TEST(SubdivisionController, FiringsLieAnIntervalApart) {
 TEST(SubdivisionController, SendsTheParentWithTheRequest) {
   for (const Dated& frame : dates_of({{scene_with_edges(), quick_machine(), 3}})) {
     SCOPED_TRACE(frame.name);
+    ASSERT_GT(frame.fifo(requests).writes.size(), 4U);
     EXPECT_EQ(frame.fifo(parents).writes, frame.fifo(requests).writes);
   }
 }
@@ -88,8 +89,8 @@ struct Bench {
 
   /// Lets the controller fire until it waits; the parents of the requests that it issues, in order.
   std::vector<NodeMessage> issued() {
-    for (Start start = controller.next(); start.known(); start = controller.next()) {
-      controller.Stage::fire(start);
+    for (Start start = controller.next_start(); start.known(); start = controller.next_start()) {
+      controller.fire_at(start);
       now = std::max(now, controller.ready());
     }
     std::vector<NodeMessage> all;
@@ -133,6 +134,16 @@ TEST(BankersRule, IssuesAPixelWhileItsTreeFitsAndNoFurther) {
     bench.send(1, 0, false, true);  // the family is over: its entries are free
     EXPECT_EQ(bench.issued().size(), 1U) << pool;
   }
+}
+
+TEST(BankersRule, SaysWhatIsKeptAndWhatTheNextRequestNeeds) {
+  Bench bench(7, 2);
+  EXPECT_EQ(bench.controller.pool_kept(), 0U);
+  EXPECT_EQ(bench.controller.pool_needed(), 0U) << "no node waits";
+  for (const std::uint32_t pixel : {1, 2}) bench.send(0, pixel);
+  ASSERT_EQ(bench.issued().size(), 1U);
+  EXPECT_EQ(bench.controller.pool_kept(), 4U);
+  EXPECT_EQ(bench.controller.pool_needed(), 4U);
 }
 
 TEST(BankersRule, RequestsWhoseFamilyEndsThereNeedNoPool) {
