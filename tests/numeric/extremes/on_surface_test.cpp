@@ -62,7 +62,7 @@ TEST(ExtremesOnSurface, NoSelfHitsAndTheFarSideIsSeen) {
 
 /// From inside, the wall is seen everywhere, however near it is: down to one unit of the centre's last place.
 /// In fixed point 1 / direction . direction has few significant bits, and t errs by what it is multiplied with: a
-/// distance of up to 2^17 in 64.12.
+/// distance of up to 2^16 in 64.12.
 TEST(ExtremesOnSurface, FromInsideEveryRayMeetsTheSphere) {
   for_every_format([]<class Scalar>() {
     const double last_place = spacing<Scalar>(0.75);

@@ -61,7 +61,7 @@ TEST(ExtremesScale, TheDatapathSeesTheSameNumbers) {
         EXPECT_EQ(prepared.spheres[s].center, expected.spheres[s].center);
         EXPECT_EQ(prepared.spheres[s].radius_squared, expected.spheres[s].radius_squared);
         EXPECT_EQ(prepared.spheres[s].power, expected.spheres[s].power);
-        EXPECT_EQ(prepared.spheres[s].inverse_radius, expected.spheres[s].inverse_radius);
+        EXPECT_EQ(prepared.spheres[s].radius, expected.spheres[s].radius);
       }
       for (std::size_t s = 0; s < prepared.triangles.size(); ++s) {
         EXPECT_EQ(prepared.triangles[s].vertices, expected.triangles[s].vertices);
