@@ -38,16 +38,16 @@ Scalar sum_error(Scalar a, Scalar b, Scalar sum) {
 /// a . b as if computed with twice the bits and rounded once (Ogita, Rump, Oishi, Accurate sum and dot product, SIAM
 /// Journal on Scientific Computing 26, 2005): its error is at most u |a . b| + 9/2 u^2 |a| . |b| with u = 2^-P, so that
 /// it stays below 2 ulp while the terms cancel to no less than u of their size. In fixed point, where the errors of
-/// products cannot be held, it is the plain sum: 3/2 units of the last place.
+/// products cannot be held, it is the plain sum: 3/2 units of the last place. y and z come together first, as in dot().
 template <class Scalar>
 Scalar compensated_dot(const Vector<Scalar>& a, const Vector<Scalar>& b) {
   const Scalar x = a.x * b.x;
   const Scalar y = a.y * b.y;
   const Scalar z = a.z * b.z;
-  const Scalar xy = x + y;
-  const Scalar sum = xy + z;
-  const Scalar products = product_error(a.x, b.x, x) + product_error(a.y, b.y, y) + product_error(a.z, b.z, z);
-  return sum + (products + (sum_error(x, y, xy) + sum_error(xy, z, sum)));
+  const Scalar yz = y + z;
+  const Scalar sum = x + yz;
+  const Scalar products = product_error(a.x, b.x, x) + (product_error(a.y, b.y, y) + product_error(a.z, b.z, z));
+  return sum + (products + (sum_error(y, z, yz) + sum_error(x, yz, sum)));
 }
 
 }  // namespace pyrasim

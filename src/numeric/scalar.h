@@ -16,10 +16,11 @@ constexpr Scalar epsilon() {
   return std::numeric_limits<Scalar>::epsilon();
 }
 
-/// The scalar product, summed from x to z. (glm::dot refuses scalars that are not IEEE formats.)
+/// The scalar product. What lies across the view, y and z, is summed first, so that the two can be exchanged without
+/// changing a bit. (glm::dot refuses scalars that are not IEEE formats.)
 template <class Scalar>
 constexpr Scalar dot(const Vector<Scalar>& a, const Vector<Scalar>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
 }
 
 template <class Scalar>

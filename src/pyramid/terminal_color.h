@@ -33,10 +33,12 @@ class Palette {
   }
 
   /// The integral colour over the pyramid (decision D6): for case 2 the object's colour times the mean shading of the
-  /// four corners, for case 1 the background, for case 3 at MAX_LEVEL as `leaf` says.
+  /// four corners, for case 1 the background, for case 3 at MAX_LEVEL as `leaf` says. Corners that face each other are
+  /// summed first: the mean of a mirrored or transposed pixel is the same, bit for bit.
   FixedColor terminal_color(PyramidCase which, const CornerSamples& corners, Leaf leaf) const {
     if (which == PyramidCase::covered) {
-      const double shading = (corners[0].shading + corners[1].shading + corners[2].shading + corners[3].shading) / 4;
+      const double shading =
+          ((corners[0].shading + corners[3].shading) + (corners[1].shading + corners[2].shading)) / 4;
       return fixed(colors_[corners[0].object], shading, 4);
     }
     if (which == PyramidCase::empty || leaf == Leaf::drop) return background_;

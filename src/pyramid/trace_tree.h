@@ -34,11 +34,11 @@ class TraceTree {
                                                                                             << (2 * max_level);
   }
 
-  /// The article's calc_result. Requires complete().
+  /// The article's calc_result, rounded once: the float nearest to the mean. Requires complete().
   glm::vec3 result(int max_level) const {
     assert(complete(max_level));
     const int exponent = -(fixed_color_bits + 2 * max_level);
-    const auto component = [&](Wide sum) { return static_cast<float>(std::ldexp(static_cast<double>(sum), exponent)); };
+    const auto component = [&](Wide sum) { return std::ldexp(static_cast<float>(sum), exponent); };
     return {component(sum_[0]), component(sum_[1]), component(sum_[2])};
   }
 
@@ -51,10 +51,9 @@ class TraceTree {
 
 /// The result of a tree that is a single node: a pixel of case 1 or 2.
 inline glm::vec3 single_node_result(const FixedColor& color) {
-  constexpr double unit = 1.0 / (1LL << fixed_color_bits);
-  return {static_cast<float>(static_cast<double>(color[0]) * unit),
-          static_cast<float>(static_cast<double>(color[1]) * unit),
-          static_cast<float>(static_cast<double>(color[2]) * unit)};
+  constexpr float unit = 1.0F / (1LL << fixed_color_bits);
+  return {static_cast<float>(color[0]) * unit, static_cast<float>(color[1]) * unit,
+          static_cast<float>(color[2]) * unit};
 }
 
 }  // namespace pyrasim

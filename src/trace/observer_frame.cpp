@@ -10,8 +10,8 @@ namespace pyrasim {
 
 glm::dvec3 normalized(const glm::dvec3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const double scale = std::ldexp(1.0, -std::ilogb(largest));
-  const glm::dvec3 scaled = v * scale;
+  const int exponent = -std::ilogb(largest);  // beyond what a double holds if the vector is subnormal; ldexp takes it
+  const glm::dvec3 scaled(std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent));
   return scaled / std::sqrt(dot(scaled, scaled));
 }
 

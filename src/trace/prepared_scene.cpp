@@ -71,16 +71,21 @@ class Preparation {
     return std::abs(static_cast<double>(power)) > rounding ? static_cast<double>(power) : 0;
   }
 
-  /// The offset from the observer's place cancels where that is near the plane and far from the world's origin.
+  /// The offset from the observer's place cancels where that is near the plane and far from the world's origin; it is
+  /// worked out exactly and rounded once. The normal keeps the length that it has, but for a power of two: at length 1
+  /// its components would be rounded, by as much as the rest of t's computation errs.
   void add(const Plane& plane) {
-    const glm::dvec3 unit = normalized(plane.normal);
+    const int exponent = -std::ilogb(largest_component(plane.normal));
+    const glm::dvec3 normal(std::ldexp(plane.normal.x, exponent), std::ldexp(plane.normal.y, exponent),
+                            std::ldexp(plane.normal.z, exponent));
     Quadruple offset = plane.offset;
     for (int axis = 0; axis < 3; ++axis) {
       offset -= static_cast<Quadruple>(plane.normal[axis]) * frame_.position()[axis];
     }
-    const double distance = static_cast<double>(offset) / dot(unit, plane.normal);
-    prepared_.planes.push_back({distance, next_identity(), flat_shading(frame_.direction(unit))});
-    include(std::abs(distance));
+    FlatShading<double> shading = flat_shading(frame_.direction(normalized(plane.normal)));
+    shading.normal = frame_.direction(normal);
+    prepared_.planes.push_back({std::ldexp(static_cast<double>(offset), exponent), next_identity(), shading});
+    include(std::abs(prepared_.planes.back().offset));
   }
 
   void add(const Triangle& triangle) {

@@ -47,12 +47,12 @@ struct SphereSurface {
 /// Shading of a flat surface takes one of two values, by the side that the ray meets.
 template <class Scalar>
 struct FlatShading {
-  Vector<Scalar> normal;
-  Scalar front;  ///< where the ray runs against the normal
+  Vector<Scalar> normal;  ///< of any length
+  Scalar front;           ///< where the ray runs against the normal
   Scalar back;
 };
 
-/// The points p with normal . p = offset; the normal is that of `shading`, of length 1.
+/// The points p with normal . p = offset; the normal is that of `shading`.
 template <class Scalar>
 struct PlaneSurface {
   Scalar offset;

@@ -25,7 +25,8 @@ struct GridPoint {
 /// Formula (2), v = v_h + (mu + i d_L) v_mu + (nu + j d_L) v_nu, with (4) and (5) put in and divided by dx, is per
 /// component an integer times a constant: y = (N_y steps / 2 - row) dy / (dx steps). The integer has 33 bits at most
 /// and is exact. The constant is held in double and the product rounded once to the format, so that a component errs by
-/// half a unit of its last place and by the rounding of dy / dx in double, 2^-53 of it, which is the same for all rays.
+/// half a unit of its last place and by double's roundings, 2^-53 of it each: that of dy / dx, which is the same for
+/// all rays, and in formats narrower than double the product's.
 class ViewVectors {
  public:
   /// `steps`: grid steps along a pixel's side, 2^MAX_LEVEL = 1 / d_MAX of formula (3) for pyramids.

@@ -121,6 +121,12 @@ TEST_F(LoadSceneError, NumbersThatAreNotFinite) {
   EXPECT_EQ(text_error(R"({"background": [0, 1e999, 0]})"),
             ": /background/1: the number 1e999 is too large; a magnitude of at most 1.797e308 is allowed");
   EXPECT_EQ(text_error("{\"background\": [NaN]}"), ":1:17: NaN is not a JSON number; a finite number is allowed");
+  EXPECT_EQ(text_error(R"({"camera": {"position": [0, -1e400, 0]}})"),
+            ": /camera/position/1: the number -1e400 is too large; a magnitude of at most 1.797e308 is allowed");
+  for (const std::string name : {"Infinity", "-Infinity"}) {
+    EXPECT_EQ(text_error("{\"background\": [" + name + "]}"),
+              ":1:17: " + name + " is not a JSON number; a finite number is allowed");
+  }
 }
 
 TEST_F(LoadSceneError, Coordinates) {
@@ -129,6 +135,9 @@ TEST_F(LoadSceneError, Coordinates) {
   EXPECT_EQ(error_with("/objects/1/offset", "1e31"), ": /objects/1/offset" + allowed);
   EXPECT_EQ(error_with("/objects/2/vertices/1/2", "1e31"), ": /objects/2/vertices/1/2" + allowed);
   EXPECT_EQ(error_with("/camera/position/0", "1e31"), ": /camera/position/0" + allowed);
+  for (const std::string pointer : {"/objects/0/center/1", "/objects/1/offset", "/camera/position/0"}) {
+    EXPECT_EQ(error_with(pointer, "5e-324"), "(no error)");  // subnormal coordinates do no harm
+  }
 }
 
 TEST_F(LoadSceneError, Lengths) {
@@ -147,6 +156,7 @@ TEST_F(LoadSceneError, Directions) {
   for (const std::string pointer : {"/objects/1/normal", "/light/direction", "/camera/up"}) {
     EXPECT_EQ(error_with(pointer, "[0, 0, 0]"), ": " + pointer + wrong);
     EXPECT_EQ(error_with(pointer, "[0, 1e-200, 0]"), ": " + pointer + wrong);
+    EXPECT_EQ(error_with(pointer, "[5e-324, -5e-324, 0]"), ": " + pointer + wrong);
   }
 }
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Extremes: surfaces in the same place. The first in the scene is seen, whatever the hierarchy and the format. (That
+// the machine's number of units does not matter: hw_model/coincident_test.cpp.)
+#include "formats.h"
+#include "trace/scene_tracer.h"
+
+namespace pyrasim {
+namespace {
+
+/// `copies` of one surface, each object of its own color, among others that the hierarchy has to put somewhere.
+Scene with_copies(const Surface& surface, int copies) {
+  Scene scene = empty_scene(8, 8, 0.05);
+  for (int k = 0; k < copies; ++k) {
+    scene.objects.push_back(object(surface, glm::dvec3(k == 0 ? 1 : 0, 0.5, 0.5)));
+    if (k % 4 == 3) scene.objects.push_back(object(Sphere{{9, 0.1 * (k % 40), 0.2 * (k % 7)}, 0.1}));
+  }
+  return scene;
+}
+
+const std::vector<Surface> surfaces{Sphere{{5, 0.3, -0.1}, 2}, Plane{{1, 0.25, 0.125}, 5},
+                                    Triangle{{{{5, -3, -2}, {5.5, 4, -2}, {6, 0, 4}}}}};
+
+TEST(ExtremesCoincident, TheFirstIsSeenInEveryFormat) {
+  for (const Surface& surface : surfaces) {
+    const Scene scene = with_copies(surface, 40);
+    for_every_format([&]<class Scalar>() {
+      const SceneTracer<Scalar> tracer(scene);
+      int seen = 0;
+      for (int k = 0; k < 200; ++k) {
+        Work work;
+        const auto object = tracer.trace({1, 0.02 * (k / 14 - 7), 0.02 * (k % 14 - 7)}, work).object;
+        if (object == no_object || object % 5 == 4) continue;  // one of the small ones, or none
+        ASSERT_EQ(object, 0U) << k;
+        ++seen;
+      }
+      EXPECT_GT(seen, 60);
+    });
+  }
+}
+
+TEST(ExtremesCoincident, TenThousandOfThem) {
+  const Scene scene = with_copies(surfaces[0], 8000);  // and 2000 others
+  for (const char* name : {"double", "float", "fp16", "fp24", "fix32.16"}) {
+    const auto tracer = make_tracer(scene, parse_number_format(name));
+    Work work;
+    for (const double y : {0.0, 0.1, -0.1}) EXPECT_EQ(tracer->trace({1, y, 0}, work).object, 0U) << name;
+    EXPECT_GE(work.surface_tests[0], 24000U);
+  }
+}
+
+/// Different surfaces that touch at what a format sees as one place: any may be first, but it is the scene's order that
+/// says which, not the hierarchy's.
+TEST(ExtremesCoincident, TheHierarchyDoesNotDecide) {
+  for_every_format([]<class Scalar>() {
+    Random random(13);
+    Scene scene = empty_scene(16, 16, 0.05);
+    for (int k = 0; k < 60; ++k) {
+      const glm::dvec3 place(5, std::floor(random.uniform(-2, 2)), std::floor(random.uniform(-2, 2)));
+      scene.objects.push_back(object(Sphere{place + glm::dvec3(1, 0, 0), 1}));
+      scene.objects.push_back(
+          object(Triangle{{place - glm::dvec3(0, 1, 1), place + glm::dvec3(0, 2, 0), place + glm::dvec3(0, 0, 2)}}));
+    }
+    const SceneTracer<Scalar> tracer(scene);
+    for (int k = 0; k < 1000; ++k) {
+      const glm::dvec3 v(1, 0.0125 * (k % 32 - 16), 0.025 * (k / 32 - 16));
+      Work work;
+      const Sample sample = tracer.trace(v, work);
+      Walk<Scalar> all(tracer.scene(), to_scalar<Scalar>(v), work);
+      all.traverse(tracer.scene().everything);
+      ASSERT_EQ(sample, all.shade()) << k;
+    }
+  });
+}
+
+}  // namespace
+}  // namespace pyrasim
