@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "error_bound.h"
+
+namespace pyrasim::silhouettes {
+namespace {
+
+/// 0 where Real's own roundings, 2^-512 of numbers below 2^60, are all there is: a margin that is not 0 is an integer
+/// multiple of the 300th power of 1/2 or more, being a product of six doubles at most.
+int sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+int sign(const Real& x) {
+  const Real nothing(0x1p-400);
+  return x > nothing ? 1 : x < -nothing ? -1 : 0;
+}
+
+template <class Number>
+struct Meeting {
+  std::array<Number, 3> margins;
+  Number t;
+  bool hit;
+};
+
+template <class Number>
+Meeting<Number> meet(const SphereSurface<double>& sphere, const Number& y, const Number& z) {
+  using std::sqrt;
+  const Number cx(sphere.center.x), cy(sphere.center.y), cz(sphere.center.z);
+  const Number along = cx + cy * y + cz * z;
+  const Number inverse = Number(1) / (Number(1) + y * y + z * z);
+  const Number t = along * inverse;
+  const Number px = cx - t, py = cy - t * y, pz = cz - t * z;
+  const Number discriminant = Number(sphere.radius_squared) - (px * px + py * py + pz * pz);
+  if (sign(discriminant) < 0 || sign(along) < 0) return {{discriminant, along, 0}, t, false};
+  const Number half_chord = sign(discriminant) == 0 ? Number(0) : sqrt(discriminant * inverse);
+  return {{discriminant, along, 0}, Number(sphere.power) * inverse / (t + half_chord), true};
+}
+
+template <class Number>
+Meeting<Number> meet(const PlaneSurface<double>& plane, const Number& y, const Number& z) {
+  const auto& n = plane.shading.normal;
+  const Number approach = Number(n.x) + Number(n.y) * y + Number(n.z) * z;
+  const int side = sign(approach) * sign(plane.offset);
+  const Number t = side == 0 ? Number(0) : Number(plane.offset) / approach;
+  return {{approach, 0, 0}, t, side > 0};
+}
+
+template <class Number>
+Meeting<Number> meet(const TriangleSurface<double>& triangle, const Number& y, const Number& z) {
+  std::array<Number, 3> moved_y, moved_z, edges;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& [ax, ay, az] = triangle.vertices[k];
+    moved_y[k] = Number(ay) - y * Number(ax);
+    moved_z[k] = Number(az) - z * Number(ax);
+  }
+  bool negative = false, positive = false;
+  Number determinant(0), depth(0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
+    edges[k] = moved_y[q] * moved_z[p] - moved_z[q] * moved_y[p];
+    negative |= sign(edges[k]) < 0;
+    positive |= sign(edges[k]) > 0;
+    determinant = determinant + edges[k];
+    depth = depth + edges[k] * Number(triangle.vertices[k][0]);
+  }
+  if (sign(determinant) == 0) return {edges, Number(triangle.vertices[0][0]), false};
+  return {edges, depth / determinant, negative != positive};
+}
+
+/// Which triangles may be hit: slopes within the extent and what rounding adds to that. A triangle that it leaves out
+/// wrongly is one that cannot explain a decision.
+class Nearby {
+ public:
+  Nearby(const ExactScene& scene, const Ray& ray, const Rounding& rounding)
+      : y_(static_cast<float>(ray.y<double>())), z_(static_cast<float>(ray.z<double>())) {
+    if (scene.triangles().empty()) return;
+    // Vertices move by a few roundings. Where products vanish, needles count as hit by rays that run along them.
+    const double lengths = 64 * rounding.lost(1) + 16 * std::sqrt(rounding.lost(2));
+    reach_ = static_cast<float>(0x1p-20 + 4 * (rounding.relative + rounding.slope_relative) + 16 * rounding.lost(0) +
+                                lengths / scene.nearest_vertex());
+  }
+  bool operator()(const ExactScene::Extent& extent) const {
+    return (extent.lower_y <= y_ + reach_) & (extent.upper_y >= y_ - reach_) & (extent.lower_z <= z_ + reach_) &
+           (extent.upper_z >= z_ - reach_);
+  }
+
+ private:
+  float y_, z_;
+  float reach_ = 0;
+};
+
+}  // namespace
+
+template <class Number>
+std::vector<Contact> contacts(const ExactScene& scene, const Ray& ray, const Rounding& rounding) {
+  std::vector<Contact> result;
+  std::vector<Number> distances;
+  const auto add = [&](SurfaceKind kind, const auto& surface, std::size_t index) {
+    const Meeting<Number> met = meet(surface, ray.y<Number>(), ray.z<Number>());
+    Contact contact{kind, static_cast<std::uint32_t>(index), surface.identity, met.hit, {}, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k) contact.margins[k] = static_cast<double>(met.margins[k]);
+    contact.t = static_cast<double>(met.t);
+    result.push_back(contact);
+    distances.push_back(met.t);
+  };
+  for (std::size_t k = 0; k < scene.spheres().size(); ++k) add(SurfaceKind::sphere, scene.spheres()[k], k);
+  for (std::size_t k = 0; k < scene.planes().size(); ++k) add(SurfaceKind::plane, scene.planes()[k], k);
+  const Nearby nearby(scene, ray, rounding);
+  for (std::size_t k = 0; k < scene.triangles().size(); ++k) {
+    if (nearby(scene.extents()[k])) add(SurfaceKind::triangle, scene.triangles()[k], k);
+  }
+  std::size_t nearest = result.size();
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    if (!result[k].hit) continue;
+    const int order = nearest == result.size() ? -1 : sign(distances[k] - distances[nearest]);
+    if (order < 0 || (order == 0 && result[k].identity.order < result[nearest].identity.order)) nearest = k;
+  }
+  const Number origin = nearest == result.size() ? Number(0) : distances[nearest];
+  for (std::size_t k = 0; k < result.size(); ++k) result[k].behind = static_cast<double>(distances[k] - origin);
+  if (nearest != result.size()) std::swap(result.front(), result[nearest]);
+  return result;
+}
+
+template std::vector<Contact> contacts<double>(const ExactScene&, const Ray&, const Rounding&);
+template std::vector<Contact> contacts<Real>(const ExactScene&, const Ray&, const Rounding&);
+
+namespace {
+
+Verdict verdict(const SphereSurface<double>& sphere, const Ray& ray, const Contact& contact, const Rounding& rounding) {
+  const SphereBound bound = error_bound(sphere, ray, rounding);
+  const auto& [discriminant, along, none] = contact.margins;
+  return {discriminant >= -bound.discriminant && along > -bound.along,
+          discriminant > bound.discriminant && along > bound.along && contact.t > bound.t,
+          {},
+          contact.behind - bound.t,
+          contact.behind + bound.t};
+}
+
+Verdict verdict(const PlaneSurface<double>& plane, const Ray& ray, const Contact& contact, const Rounding& rounding) {
+  const PlaneBound bound = error_bound(plane, ray, rounding);
+  const double toward = plane.offset < 0 ? -contact.margins[0] : contact.margins[0];
+  const double nearest_hit = contact.t - contact.behind;
+  // The ends of the range are far apart or near t; only then `behind` knows more than they.
+  const auto behind = [&](double t) { return contact.hit ? contact.behind + (t - contact.t) : t - nearest_hit; };
+  return {toward > -bound.approach, toward > bound.approach, {}, behind(bound.lowest_t), behind(bound.highest_t)};
+}
+
+Verdict verdict(const TriangleSurface<double>& triangle, const Ray& ray, const Contact& contact,
+                const Rounding& rounding) {
+  const TriangleBound bound = error_bound(triangle, contact.margins, contact.t, ray, rounding);
+  Verdict result{};
+  bool may_be_positive = true, may_be_negative = true, may_vanish = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    may_be_positive &= contact.margins[k] >= -bound.edges[k];
+    may_be_negative &= contact.margins[k] <= bound.edges[k];
+    result.near_edge[k] = std::abs(contact.margins[k]) <= bound.edges[k];
+    may_vanish &= result.near_edge[k];
+  }
+  result.possible = may_be_positive || may_be_negative;
+  result.certain = !may_vanish;
+  result.lowest_behind = contact.behind - bound.below_t;
+  result.highest_behind = contact.behind + bound.above_t;
+  return result;
+}
+
+}  // namespace
+
+Verdict verdict(const ExactScene& scene, const Ray& ray, const Contact& contact, const Rounding& rounding) {
+  switch (contact.kind) {
+    case SurfaceKind::sphere:
+      return verdict(scene.spheres()[contact.index], ray, contact, rounding);
+    case SurfaceKind::plane:
+      return verdict(scene.planes()[contact.index], ray, contact, rounding);
+    default:
+      return verdict(scene.triangles()[contact.index], ray, contact, rounding);
+  }
+}
+
+}  // namespace pyrasim::silhouettes

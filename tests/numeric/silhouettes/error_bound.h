@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far the datapath's numbers may lie from the exact ones: forward error bounds of the kernels in src/trace, term by
+// term, for rays along (1, y, z) and scenes as ExactScene takes them.
+#pragma once
+
+#include <array>
+
+#include "ray.h"
+#include "rounding.h"
+#include "trace/surface.h"
+
+namespace pyrasim::silhouettes {
+
+/// Of intersect_sphere().
+struct SphereBound {
+  double discriminant;  ///< a ray hits where it is not negative
+  double along;         ///< and where the centre's component along the ray is positive
+  double t;             ///< of the hit
+};
+SphereBound error_bound(const SphereSurface<double>& sphere, const Ray& ray, const Rounding& rounding);
+
+/// Of intersect_plane(): of n . d, whose sign decides, and the range of t.
+struct PlaneBound {
+  double approach;
+  double lowest_t, highest_t;
+};
+PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const Rounding& rounding);
+
+/// Of intersect_triangle(): of the three edge functions, whose signs decide, and the range of t, where it counts as
+/// hit.
+struct TriangleBound {
+  std::array<double, 3> edges;
+  double below_t, above_t;  ///< by how much less or more t may be than the exact one, that of the triangle's plane
+};
+/// `edges` and `t` are exact.
+TriangleBound error_bound(const TriangleSurface<double>& triangle, const std::array<double, 3>& edges, double t,
+                          const Ray& ray, const Rounding& rounding);
+
+}  // namespace pyrasim::silhouettes

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explanation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace pyrasim::silhouettes {
+
+Explanation::Explanation(const ExactScene& scene, const Ray& ray, const std::vector<Contact>& contacts,
+                         const Rounding& rounding)
+    : scene_(scene), contacts_(contacts) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    verdicts_.push_back(verdict(scene, ray, contacts[k], rounding));
+    if (contacts[k].kind == SurfaceKind::triangle) triangles_.emplace(contacts[k].index, k);
+  }
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    certain_.push_back(contacts[k].hit ? certain_hit(k) : std::nullopt);
+  }
+}
+
+/// From triangle to triangle across all edges that the ray may run through. Where the ray is sure to be inside what has
+/// been gathered, one of these triangles counts as hit.
+std::optional<double> Explanation::certain_hit(std::size_t contact) const {
+  if (!verdicts_[contact].certain) return std::nullopt;
+  double furthest = verdicts_[contact].highest_behind;
+  if (contacts_[contact].kind != SurfaceKind::triangle) return furthest;
+  const auto determinant = [&](const Contact& of) { return of.margins[0] + of.margins[1] + of.margins[2]; };
+  std::set<std::uint32_t> gathered{contacts_[contact].index};
+  std::vector<std::size_t> pending{contact};
+  while (!pending.empty()) {
+    const std::size_t here = pending.back();
+    pending.pop_back();
+    furthest = std::max(furthest, verdicts_[here].highest_behind);
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      if (!verdicts_[here].near_edge[edge]) continue;
+      const auto [triangle, turned] = scene_.neighbor(contacts_[here].index, edge);
+      if (triangle < 0) return std::nullopt;  // the border
+      const auto index = static_cast<std::uint32_t>(triangle);
+      if (gathered.contains(index)) continue;
+      const auto there = triangles_.find(index);
+      if (there == triangles_.end()) continue;
+      const std::size_t next = there->second;
+      if (!verdicts_[next].possible) continue;  // the ray may run through the edge's line only
+      const bool faces_alike = (determinant(contacts_[here]) > 0) == (determinant(contacts_[next]) > 0);
+      if (!verdicts_[next].certain || faces_alike == turned) return std::nullopt;  // nothing left of it; a silhouette
+      gathered.insert(index);
+      pending.push_back(next);
+    }
+  }
+  return furthest;
+}
+
+bool Explanation::allows(std::uint32_t object) const {
+  double furthest = std::numeric_limits<double>::infinity();
+  bool any = false;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    if (!certain_[k] || contacts_[k].identity.object == object) continue;
+    any = true;
+    furthest = std::min(furthest, *certain_[k]);
+  }
+  if (object == no_object) return !any;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    if (contacts_[k].identity.object != object) continue;
+    if (verdicts_[k].possible && verdicts_[k].lowest_behind <= furthest) return true;
+  }
+  return false;
+}
+
+std::optional<double> part_of_bound(const ExactScene& scene, const Ray& ray, const std::vector<Contact>& contacts,
+                                    const Rounding& rounding, std::uint32_t object) {
+  const auto explained = [&](double part) {
+    return Explanation(scene, ray, contacts, rounding.times(part)).allows(object);
+  };
+  if (!explained(1)) return std::nullopt;
+  double not_explained = 0, part = 1;
+  while (part - not_explained > 1.0 / 256) {
+    const double middle = (not_explained + part) / 2;
+    (explained(middle) ? part : not_explained) = middle;
+  }
+  return part;
+}
+
+}  // namespace pyrasim::silhouettes

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "contact.h"
+#include "pyramid/sample.h"
+
+namespace pyrasim::silhouettes {
+
+/// Which objects a datapath may see along one ray, by the error bounds of its rounding.
+///
+/// An object is explained where one of its surfaces may count as hit, not certainly behind a hit on another object that
+/// is itself certain; and the background, where no hit is certain. A hit on a mesh is certain though the ray runs
+/// through an edge, as long as triangles on both sides share it: rounding moves a vertex, not the triangles apart. Only
+/// a silhouette of the mesh or its border lets the ray by, or a triangle so small that nothing is left of it.
+class Explanation {
+ public:
+  /// `contacts` are those of the ray for `rounding` or more.
+  Explanation(const ExactScene& scene, const Ray& ray, const std::vector<Contact>& contacts, const Rounding& rounding);
+
+  bool allows(std::uint32_t object) const;
+
+ private:
+  std::optional<double> certain_hit(std::size_t contact) const;
+
+  const ExactScene& scene_;
+  const std::vector<Contact>& contacts_;
+  std::vector<Verdict> verdicts_;
+  std::unordered_map<std::uint32_t, std::size_t> triangles_;  ///< contacts by the triangle's index
+  std::vector<std::optional<double>> certain_;  ///< of each contact: how far behind the nearest hit at most
+};
+
+/// The part of its rounding unit by which a datapath's seeing `object` is explained: 1 if it errs by as much as its
+/// bound allows; none if it cannot be explained.
+std::optional<double> part_of_bound(const ExactScene& scene, const Ray& ray, const std::vector<Contact>& contacts,
+                                    const Rounding& rounding, std::uint32_t object);
+
+}  // namespace pyrasim::silhouettes

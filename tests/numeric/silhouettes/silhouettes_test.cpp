@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every number format sees of the shipped scenes, against what there is to see: a ray that comes back with another
+// object than the oracle's has to have run so close to a silhouette that the format's error bound reaches it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "differences.h"
+#include "error.h"
+#include "numeric/number_types.h"
+#include "scene/load_scene.h"
+#include "trace/datapath_formats.h"
+#include "trace/ray.h"
+#include "trace/rounded_scene.h"
+
+namespace pyrasim::silhouettes {
+namespace {
+
+constexpr int max_level = 3;
+
+struct ShippedScene {
+  const char* name;
+  int columns, rows;
+};
+
+Scene load(const ShippedScene& shipped) {
+  Scene scene = load_scene(std::string(PYRASIM_SOURCE_DIR "/scenes/") + shipped.name + ".json");
+  scene.camera.screen = resized(scene.camera.screen, shipped.columns, shipped.rows);
+  return scene;
+}
+
+/// Whether a machine with this datapath is refused, because it cannot address the screen.
+bool refused(const NumberFormat& format, const Screen& screen) {
+  try {
+    check_addressing({format, format}, screen, std::int64_t{1} << max_level);
+    return false;
+  } catch (const UsageError&) {
+    return true;
+  }
+}
+
+class Silhouettes : public testing::TestWithParam<ShippedScene> {};
+
+/// Also prints, for each format, how many rays and pyramids of the frame differ, and the largest error as a part of its
+/// bound, in the frame and by its outline.
+TEST_P(Silhouettes, DifferOnlyWithinTheErrorBound) {
+  const Scene scene = load(GetParam());
+  Oracle oracle(scene, max_level);
+  int left_out = 0;
+  fmt::print("{:10}{:>8}{:>8}{:>10}{:>8}{:>8}{:>9}\n", GetParam().name, "rays", "differ", "pyramids", "differ", "error",
+             "outline");
+  for (const NumberFormat& format : number_formats()) {
+    if (refused(format, scene.camera.screen)) {
+      ++left_out;
+      continue;
+    }
+    const auto tracer = make_tracer(scene, format);
+    const FrameDifferences frame = differences_in_frame(*tracer, format, oracle);
+    const Differences outline = differences_by_outline(*tracer, format, oracle);
+    fmt::print("{:10}{:>8}{:>8}{:>10}{:>8}{:>8.3f}{:>9.3f}\n", format.name(), frame.rays.all, frame.rays.different,
+               frame.pyramids, frame.different_pyramids, frame.rays.largest_error, outline.largest_error);
+    RecordProperty(format.name() + "_rays", std::to_string(frame.rays.different));
+    RecordProperty(format.name() + "_pyramids", std::to_string(frame.different_pyramids));
+    EXPECT_EQ(frame.rays.unexplained, 0) << format.name() << '\n' << frame.rays.first_unexplained;
+    EXPECT_EQ(outline.unexplained, 0) << format.name() << '\n' << outline.first_unexplained;
+    EXPECT_GT(outline.largest_error, 0.05) << format.name() << ": the bound is too loose to say much";
+  }
+  RecordProperty("refused_formats", std::to_string(left_out));
+}
+
+/// The oracle decides in double where that is beyond doubt.
+TEST_P(Silhouettes, OfTheOracleAreThoseOfRealNumbers) {
+  const Scene scene = load(GetParam());
+  Oracle oracle(scene, max_level);
+  const auto& [columns, rows] = std::pair(GetParam().columns << max_level, GetParam().rows << max_level);
+  for (std::uint32_t k = 0; k < 500; ++k) {
+    const GridPoint point{k * 7919 % static_cast<std::uint32_t>(rows),
+                          k * 104729 % static_cast<std::uint32_t>(columns)};
+    EXPECT_EQ(oracle.object(point), object_seen_in_real(oracle.scene(), oracle.ray(point)))
+        << point.row << ' ' << point.column;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Silhouettes,
+                         testing::Values(ShippedScene{"keel", 64, 48}, ShippedScene{"spheres", 64, 48},
+                                         ShippedScene{"fins", 64, 48}, ShippedScene{"bunny", 10, 8}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+/// Spheres by the textbook's b^2 - 4ac, which cancels.
+template <class Scalar>
+class TextbookSpheres final : public Tracer {
+ public:
+  explicit TextbookSpheres(const Scene& scene)
+      : scene_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {}
+
+  Sample trace(const glm::dvec3& view_vector, Work&) const override {
+    const auto d = to_scalar<Scalar>(view_vector);
+    Nearest<Scalar> nearest{std::numeric_limits<Scalar>::infinity(), no_object};
+    Sample sample;
+    for (const auto& sphere : scene_.spheres) {
+      const Scalar a = dot(d, d);
+      const Scalar b = Scalar(2) * dot(d, sphere.center);
+      const Scalar discriminant = b * b - Scalar(4) * a * (dot(sphere.center, sphere.center) - sphere.radius_squared);
+      if (discriminant < Scalar(0)) continue;
+      const Scalar t = (b - sqrt(discriminant)) / (Scalar(2) * a);
+      if (!nearest.improved_by(t, sphere.identity.order)) continue;
+      nearest = {t, sphere.identity.order};
+      sample.object = sphere.identity.object;
+    }
+    return sample;
+  }
+  SceneContents contents() const override { return {}; }
+
+ private:
+  PreparedScene<Scalar> scene_;
+};
+
+TEST(SilhouettesOfTextbookSpheres, AreNotExplained) {
+  const Scene scene = load({"spheres", 64, 48});
+  Oracle oracle(scene, max_level);
+  const TextbookSpheres<Flt<8, 16>> tracer(scene);
+  EXPECT_GT(differences_in_frame(tracer, FormatOf<Flt<8, 16>>::value, oracle).rays.unexplained, 10);
+}
+
+}  // namespace
+}  // namespace pyrasim::silhouettes
