@@ -20,7 +20,8 @@ namespace pyrasim {
 class CornersAhead {
  public:
   /// The thread starts at once. `out_of_order`: a corner is asked for at most so many corners after another one that
-  /// follows it in the raster. Corners are `steps` grid steps apart. `tracer` must outlive this.
+  /// follows it in the raster. Corners are `steps` grid steps apart, a power
+  /// of two. `tracer` must outlive this.
   CornersAhead(const Tracer& tracer, const ViewVectors& view_vectors, const PixelWindow& window, std::uint32_t steps,
                std::size_t out_of_order);
   ~CornersAhead();
@@ -41,22 +42,27 @@ class CornersAhead {
   };
   struct Row {
     std::atomic<std::int64_t> number{-1};  ///< of the row of corners that is here, complete; -1: none
-    std::vector<Corner> corners;
+    std::vector<Corner> corners;           ///< and some unused ones behind, to be fetched in vain
   };
 
   void run();
   void trace_row(std::int64_t number);
+  /// Makes the row `number` the open one, if it is complete.
+  bool open_row(std::int64_t number);
   /// The row that the thread may not yet begin: it takes the place of one that may still be asked for.
   std::int64_t first_barred() const;
 
   const Tracer& tracer_;
   ViewVectors view_vectors_;
   std::uint32_t steps_;
+  int log2_steps_;
   GridPoint first_;  ///< the window's upper left corner; rows of corners count from it
   std::int64_t rows_;
   std::int64_t overlap_;                 ///< rows before the newest asked for that may still be asked for
   std::vector<Row> kept_;                ///< a ring
   std::atomic<std::int64_t> newest_{0};  ///< row asked for; past all rows to stop
+  std::int64_t open_number_ = -1;        ///< of the row that was read last, while it was complete
+  const Corner* open_corners_ = nullptr;
   std::jthread thread_;
 };
 
