@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "differences.h"
 #include "error.h"
 #include "numeric/number_types.h"
@@ -20,6 +22,7 @@ constexpr int max_level = 3;
 struct ShippedScene {
   const char* name;
   int columns, rows;
+  friend void PrintTo(const ShippedScene& scene, std::ostream* out) { *out << scene.name; }
 };
 
 Scene load(const ShippedScene& shipped) {
