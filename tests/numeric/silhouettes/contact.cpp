@@ -10,8 +10,8 @@
 namespace pyrasim::silhouettes {
 namespace {
 
-/// 0 where Real's own roundings, 2^-512 of numbers below 2^60, are all there is: a margin that is not 0 is an integer
-/// multiple of the 300th power of 1/2 or more, being a product of six doubles at most.
+/// Of a margin, 0 if it is. A margin in Real is a sum of products of six doubles at most: with coordinates below 2^20
+/// it is 0 or more than 2^-400, and Real errs by less than 2^-450. Distances that agree as well are equal.
 int sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 int sign(const Real& x) {
   const Real nothing(0x1p-400);
@@ -70,17 +70,15 @@ Meeting<Number> meet(const TriangleSurface<double>& triangle, const Number& y, c
   return {edges, depth / determinant, negative != positive};
 }
 
-/// Which triangles may be hit: slopes within the extent and what rounding adds to that. A triangle that it leaves out
-/// wrongly is one that cannot explain a decision.
+/// Which triangles may be hit: those whose vertices' bounds, by the rounding of sheared vertices wider, hold the ray.
+/// One that was left out wrongly would be one that cannot explain a difference.
 class Nearby {
  public:
   Nearby(const ExactScene& scene, const Ray& ray, const Rounding& rounding)
       : y_(static_cast<float>(ray.y<double>())), z_(static_cast<float>(ray.z<double>())) {
     if (scene.triangles().empty()) return;
-    // Vertices move by a few roundings. Where products vanish, needles count as hit by rays that run along them.
-    const double lengths = 64 * rounding.lost(1) + 16 * std::sqrt(rounding.lost(2));
-    reach_ = static_cast<float>(0x1p-20 + 4 * (rounding.relative + rounding.slope_relative) + 16 * rounding.lost(0) +
-                                lengths / scene.nearest_vertex());
+    reach_ = static_cast<float>(0x1p-20 + 4 * (rounding.relative + rounding.slope_relative) +
+                                2 * rounding.slope_absolute + 4 * rounding.lost(1) / scene.nearest_vertex());
   }
   bool operator()(const ExactScene::Extent& extent) const {
     return (extent.lower_y <= y_ + reach_) & (extent.upper_y >= y_ - reach_) & (extent.lower_z <= z_ + reach_) &
@@ -159,7 +157,7 @@ Verdict verdict(const TriangleSurface<double>& triangle, const Ray& ray, const C
     result.near_edge[k] = std::abs(contact.margins[k]) <= bound.edges[k];
     may_vanish &= result.near_edge[k];
   }
-  result.possible = may_be_positive || may_be_negative;
+  result.possible = !bound.beside && (may_be_positive || may_be_negative);
   result.certain = !may_vanish;
   result.lowest_behind = contact.behind - bound.below_t;
   result.highest_behind = contact.behind + bound.above_t;

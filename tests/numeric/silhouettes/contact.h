@@ -33,7 +33,7 @@ extern template std::vector<Contact> contacts<Real>(const ExactScene&, const Ray
 /// What a datapath of some rounding may make of a contact.
 struct Verdict {
   bool possible;  ///< it may count as hit
-  bool certain;   ///< it must; for a triangle, if the ray does not run by its border
+  bool certain;   ///< it must; a triangle, where the ray runs off none of its edges
   std::array<bool, 3> near_edge{};
   double lowest_behind, highest_behind;  ///< the range of `behind` where it counts as hit
 };

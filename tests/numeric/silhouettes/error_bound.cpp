@@ -20,74 +20,156 @@ Triple slope_errors(const Ray& ray, const Rounding& rounding) {
   return {0, error(ray.y<double>()), error(ray.z<double>())};
 }
 
-}  // namespace
-
 // A length loses lost(1) where it is rounded, a product of two lost(2), a slope lost(0). First-order terms, and the
 // squares of what may be large; other terms of second order are covered by a factor 1 + 8u.
+double second_order(const Rounding& rounding) { return 1 + 8 * rounding.relative; }
+
+struct Bounded {
+  double value;
+  double error;
+};
+
+/// The steps of intersect_sphere(), each with its error.
+class SphereSteps {
+ public:
+  SphereSteps(const SphereSurface<double>& sphere, const Ray& ray, const Rounding& rounding)
+      : sphere_(sphere),
+        rounding_(rounding),
+        u_(rounding.relative),
+        d_(direction(ray)),
+        slopes_(slope_errors(ray, rounding)),
+        center_{sphere.center.x, sphere.center.y, sphere.center.z} {}
+
+  SphereBound bound() const {
+    const Bounded along = along_ray();
+    const Bounded inverse = inverse_length_squared();
+    const Bounded t = closest(along, inverse);
+    const Bounded difference = discriminant(t);
+    return {difference.error, along.error, nearer_root(t, difference, inverse).error};
+  }
+
+ private:
+  /// c . d: the centre's rounding, a product's and two sums' are 4u; two products that are rounded, and the centre's
+  /// components times the slopes.
+  Bounded along_ray() const {
+    Bounded along{0, 2 * rounding_.lost(1)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      along.value += center_[k] * d_[k];
+      along.error += 4 * u_ * std::abs(center_[k] * d_[k]) + std::abs(center_[k]) * slopes_[k] +
+                     std::abs(d_[k]) * rounding_.lost(1);
+    }
+    along.error *= second_order(rounding_);
+    return along;
+  }
+
+  /// 1 / d . d: a product and two sums; then the quotient.
+  Bounded inverse_length_squared() const {
+    double length = 0, error = 2 * rounding_.lost(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      length += d_[k] * d_[k];
+      error += 2 * std::abs(d_[k]) * slopes_[k] + 3 * u_ * d_[k] * d_[k];
+    }
+    error *= second_order(rounding_);
+    return {1 / length, error / length / std::max(length - error, 0.0) + u_ / length + rounding_.lost(0)};
+  }
+
+  /// t of the ray's point nearest to the centre.
+  Bounded closest(const Bounded& along, const Bounded& inverse) const {
+    const double t = along.value * inverse.value;
+    return {t, along.error * inverse.value + (std::abs(along.value) + along.error) * inverse.error + u_ * std::abs(t) +
+                   rounding_.lost(1)};
+  }
+
+  /// r^2 - p . p, where p = c - t d is the centre's component across the ray. An error of t moves p along the ray, at a
+  /// right angle to itself: it counts in second order. What counts is the rounding of c, of the product and of the
+  /// difference, and the ray's own error.
+  Bounded discriminant(const Bounded& t) const {
+    double across = 0, error = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double p = center_[k] - t.value * d_[k];
+      const double product = k == 0 ? 0 : u_ * std::abs(t.value * d_[k]) + rounding_.lost(1);
+      const double p_error = second_order(rounding_) * (u_ * std::abs(center_[k]) + rounding_.lost(1) + product +
+                                                        std::abs(t.value) * slopes_[k] + u_ * std::abs(p));
+      across += p * p;
+      error += 2 * std::abs(p) * (p_error + t.error * slopes_[k]) +
+               std::pow(p_error + t.error * (std::abs(d_[k]) + slopes_[k]), 2);
+    }
+    // Three products and two sums; r^2 as given, and the difference, whose rounding keeps the sign.
+    error += 3 * u_ * across + 3 * rounding_.lost(2) + u_ * sphere_.radius_squared + rounding_.lost(2);
+    const double difference = sphere_.radius_squared - across;
+    return {difference, second_order(rounding_) * error + u_ * std::abs(difference)};
+  }
+
+  /// power / length^2 over the outer root, which is t + sqrt(discriminant / length^2).
+  Bounded nearer_root(const Bounded& t, const Bounded& difference, const Bounded& inverse) const {
+    const double discriminant = std::max(difference.value, 0.0);
+    const double square = discriminant * inverse.value;
+    const double square_error = difference.error * (inverse.value + inverse.error) + discriminant * inverse.error +
+                                u_ * square + rounding_.lost(2);
+    const double half_chord = std::sqrt(square);
+    const double half_chord_error =
+        std::min(square_error / half_chord, std::sqrt(square_error)) * (1 + u_) + u_ * half_chord + rounding_.lost(1);
+    const double outer = t.value + half_chord;
+    const double outer_error = t.error + half_chord_error + u_ * outer;
+    const double numerator = sphere_.power * inverse.value;
+    const double numerator_error = second_order(rounding_) * (u_ * sphere_.power + rounding_.lost(2)) * inverse.value +
+                                   sphere_.power * inverse.error + u_ * numerator + rounding_.lost(2);
+    const double inner = numerator / outer;
+    if (!(outer > outer_error)) return {inner, infinity};
+    const double quotient_error = (numerator_error + inner * outer_error) / (outer - outer_error);
+    return {inner, second_order(rounding_) * (quotient_error + u_ * inner + rounding_.lost(1))};
+  }
+
+  const SphereSurface<double>& sphere_;
+  Rounding rounding_;
+  double u_;
+  Triple d_;
+  Triple slopes_;
+  Triple center_;
+};
+
+/// A triangle's vertices as the shear moves them, (a_y - y a_x, a_z - z a_x). They err by the rounding of coordinates,
+/// of the slope, of the product and of the difference. All triangles that share a vertex have it at one place.
+struct ShearedVertices {
+  std::array<Triple, 3> size{}, error{};  // [vertex][axis]; axis 0 is not used
+  bool beside = false;
+
+  ShearedVertices(const TriangleSurface<double>& triangle, const Ray& ray, const Rounding& rounding) {
+    const Triple d = direction(ray);
+    const Triple slopes = slope_errors(ray, rounding);
+    for (std::size_t axis = 1; axis < 3; ++axis) {
+      double lowest = infinity, highest = -infinity;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& a = triangle.vertices[k];
+        const double moved = a[axis] - d[axis] * a[0];
+        const double rounded = std::abs(a[axis]) + 2 * std::abs(d[axis] * a[0]) + std::abs(moved);
+        size[k][axis] = std::abs(moved);
+        error[k][axis] = second_order(rounding) * (rounding.relative * rounded + a[0] * slopes[axis] +
+                                                   (2 + std::abs(d[axis])) * rounding.lost(1));
+        lowest = std::min(lowest, moved - error[k][axis]);
+        highest = std::max(highest, moved + error[k][axis]);
+      }
+      beside |= lowest > 0 || highest < 0;
+    }
+  }
+
+  /// q_y p_z - q_z p_y: two products, of which fixed point loses lost(2) each, and their difference. A triangle that is
+  /// smaller than the root of that is nothing but error: it may count as missed, or as hit within its bounds.
+  double edge_error(std::size_t p, std::size_t q, const Rounding& rounding) const {
+    double sum = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis) {
+      const std::size_t other = 3 - axis;
+      sum += size[q][axis] * error[p][other] + error[q][axis] * (size[p][other] + error[p][other]) +
+             2 * rounding.relative * size[q][axis] * size[p][other];
+    }
+    return second_order(rounding) * sum + 2 * rounding.lost(2);
+  }
+};
+
+}  // namespace
+
 SphereBound error_bound(const SphereSurface<double>& sphere, const Ray& ray, const Rounding& rounding) {
-  const double u = rounding.relative;
-  const double second_order = 1 + 8 * u;
-  const Triple d = direction(ray);
-  const Triple slopes = slope_errors(ray, rounding);
-  const Triple center{sphere.center.x, sphere.center.y, sphere.center.z};
-  double along = 0, along_size = 0, along_slopes = 0, length = 0, length_size = 0, length_slopes = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    along += center[k] * d[k];
-    along_size += std::abs(center[k] * d[k]);
-    along_slopes += std::abs(center[k]) * slopes[k];
-    length += d[k] * d[k];
-    length_size += std::abs(d[k]);
-    length_slopes += 2 * std::abs(d[k]) * slopes[k];
-  }
-  const double inverse = 1 / length;
-  // along = c . d: the centre's rounding, a product's and two sums' are 4u; two products that are rounded, and the
-  // centre's components times the slopes.
-  const double along_error = second_order * (4 * u * along_size + along_slopes + (2 + length_size) * rounding.lost(1));
-  // 1 / d . d: a product and two sums; then the quotient.
-  const double length_error = second_order * (length_slopes + 3 * u * length + 2 * rounding.lost(0));
-  const double inverse_error =
-      inverse * length_error / std::max(length - length_error, 0.0) + u * inverse + rounding.lost(0);
-  const double t = along * inverse;
-  const double t_error =
-      along_error * inverse + (std::abs(along) + along_error) * inverse_error + u * std::abs(t) + rounding.lost(1);
-  // p = c - t d, the component of the centre across the ray. An error of t moves it along the ray only, across p, so
-  // that it counts in second order; what counts is the rounding of c, of the product and of the difference, and the
-  // ray's own error.
-  double across = 0, squared_error = 0, t_across = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double p = center[k] - t * d[k];
-    const double product = k == 0 ? 0 : u * std::abs(t * d[k]) + rounding.lost(1);
-    const double error = second_order * (u * std::abs(center[k]) + rounding.lost(1) + product +
-                                         std::abs(t) * slopes[k] + u * std::abs(p));
-    across += p * p;
-    squared_error += 2 * std::abs(p) * error + std::pow(error + t_error * (std::abs(d[k]) + slopes[k]), 2);
-    t_across += 2 * t_error * std::abs(p) * slopes[k];
-  }
-  // r^2 - p . p: three products, two sums; r^2 as given, and the difference, whose rounding keeps the sign.
-  const double difference = sphere.radius_squared - across;
-  const double discriminant_error = second_order * (squared_error + t_across + 3 * u * across + 3 * rounding.lost(2) +
-                                                    u * sphere.radius_squared + rounding.lost(2)) +
-                                    u * std::abs(difference);
-  // The outer root, t + sqrt(discriminant / length^2).
-  const double discriminant = std::max(difference, 0.0);
-  const double square = discriminant * inverse;
-  const double square_error =
-      discriminant_error * (inverse + inverse_error) + discriminant * inverse_error + u * square + rounding.lost(2);
-  const double half_chord = std::sqrt(square);
-  const double half_chord_error =
-      std::min(square_error / half_chord, std::sqrt(square_error)) * (1 + u) + u * half_chord + rounding.lost(1);
-  const double outer = t + half_chord;
-  const double outer_error = t_error + half_chord_error + u * outer;
-  // The inner one, power / length^2 / outer.
-  const double numerator = sphere.power * inverse;
-  const double numerator_error = second_order * (u * sphere.power + rounding.lost(2)) * inverse +
-                                 sphere.power * inverse_error + u * numerator + rounding.lost(2);
-  const double inner = numerator / outer;
-  const double inner_error = outer > outer_error
-                                 ? second_order * ((numerator_error + inner * outer_error) / (outer - outer_error) +
-                                                   u * inner + rounding.lost(1))
-                                 : infinity;
-  return {discriminant_error, along_error, inner_error};
+  return SphereSteps(sphere, ray, rounding).bound();
 }
 
 PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const Rounding& rounding) {
@@ -105,7 +187,7 @@ PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const 
   }
   // The compensated sum adds u of the result and 5u^2 of its terms; fixed point rounds two products instead.
   const double approach_error =
-      (1 + 8 * u) * (error + 5 * u * u * size + 2 * rounding.lost(0)) + u * std::abs(approach);
+      second_order(rounding) * (error + 5 * u * u * size + 2 * rounding.lost(0)) + u * std::abs(approach);
   const double offset = std::abs(plane.offset);
   const double offset_error = u * offset + rounding.lost(1);
   const double toward = plane.offset < 0 ? -approach : approach;
@@ -116,51 +198,28 @@ PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const 
           t(offset + offset_error, toward - approach_error, 1)};
 }
 
-// A vertex that the shear has moved, (a_y - y a_x, a_z - z a_x), errs by the rounding of its coordinates, of the slope,
-// of the product and of the difference. All triangles that share it err alike.
 TriangleBound error_bound(const TriangleSurface<double>& triangle, const std::array<double, 3>& edges, double t,
                           const Ray& ray, const Rounding& rounding) {
-  const double u = rounding.relative;
-  const double second_order = 1 + 8 * u;
-  const Triple d = direction(ray);
-  const Triple slopes = slope_errors(ray, rounding);
-  std::array<std::array<double, 3>, 3> sheared{}, error{};  // [vertex][axis]; axis 0 is not used
-  for (std::size_t vertex = 0; vertex < 3; ++vertex) {
-    const auto& a = triangle.vertices[vertex];
-    for (std::size_t axis = 1; axis < 3; ++axis) {
-      const double moved = a[axis] - d[axis] * a[0];
-      sheared[vertex][axis] = std::abs(moved);
-      error[vertex][axis] = second_order * (u * (std::abs(a[axis]) + 2 * std::abs(d[axis] * a[0]) + std::abs(moved)) +
-                                            a[0] * slopes[axis] + (2 + std::abs(d[axis])) * rounding.lost(1));
-    }
-  }
+  const ShearedVertices sheared(triangle, ray, rounding);
   TriangleBound bound{};
+  bound.beside = sheared.beside;
   double determinant = 0, determinant_error = 0, weighted = 0;
   double nearest = infinity, furthest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
-    // q_y p_z - q_z p_y has the sign of the sheared vertices' own, unless it is less than lost(2) for each product. A
-    // triangle smaller than its root is nothing but error: it may count as missed, or as hit by rays beside it.
-    double products = 0;
-    for (std::size_t axis = 1; axis < 3; ++axis) {
-      const std::size_t other = 3 - axis;
-      bound.edges[k] += sheared[q][axis] * error[p][other] + error[q][axis] * (sheared[p][other] + error[p][other]);
-      products += sheared[q][axis] * sheared[p][other];
-    }
-    bound.edges[k] = second_order * bound.edges[k] + 2 * rounding.lost(2);
-    const double value_error = bound.edges[k] + 2 * u * second_order * products;
+    const double depth = triangle.vertices[k][0];
+    bound.edges[k] = sheared.edge_error((k + 1) % 3, (k + 2) % 3, rounding);
     determinant += edges[k];
-    determinant_error += value_error;
-    weighted += value_error * std::abs(triangle.vertices[k][0] - t);
-    nearest = std::min(nearest, triangle.vertices[k][0]);
-    furthest = std::max(furthest, triangle.vertices[k][0]);
+    determinant_error += bound.edges[k];
+    weighted += bound.edges[k] * std::abs(depth - t);
+    nearest = std::min(nearest, depth);
+    furthest = std::max(furthest, depth);
   }
   // t is the mean of the vertices' depths weighted by the edge functions, which have the same sign where the triangle
-  // counts as hit: whatever they are, it lies between these depths. The determinant is not 0 then, and errors of
-  // products and depths add to that.
+  // counts as hit: whatever they are, it lies between these depths. The determinant is not 0 then. To that come the
+  // errors of depths, products, sums and the quotient.
   const double left = std::max(std::abs(determinant) - determinant_error, 2 * rounding.lost(2));
-  const double own =
-      second_order * (7 * u * furthest + 2 * rounding.lost(1)) + (left > 0 ? 3 * rounding.lost(3) / left : 0);
+  const double own = second_order(rounding) * (7 * rounding.relative * furthest + 2 * rounding.lost(1)) +
+                     (left > 0 ? 3 * rounding.lost(3) / left : 0);
   const double mean = std::abs(determinant) > determinant_error ? weighted / left : infinity;
   bound.below_t = std::min(mean, t - nearest) + own;
   bound.above_t = std::min(mean, furthest - t) + own;

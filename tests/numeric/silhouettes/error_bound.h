@@ -30,6 +30,7 @@ PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const 
 /// hit.
 struct TriangleBound {
   std::array<double, 3> edges;
+  bool beside;              ///< the ray certainly passes the bounds of the vertices
   double below_t, above_t;  ///< by how much less or more t may be than the exact one, that of the triangle's plane
 };
 /// `edges` and `t` are exact.

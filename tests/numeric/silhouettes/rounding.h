@@ -16,7 +16,7 @@ struct Rounding {
   double slope_absolute = 0;
   int exponent = 0;  ///< a length of the datapath is one of the exact scene times 2^exponent
 
-  /// What an operation whose result is a length to the power of `dimension` loses at least, in the exact scene's units.
+  /// `absolute` of a result that is a length to the power of `dimension`, in the exact scene's units.
   double lost(int dimension) const { return std::ldexp(absolute, -dimension * exponent); }
 
   /// The rounding of a format with log2(1 / factor) more bits, of the same scale.

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "differences.h"
 #include "error.h"
 #include "numeric/number_types.h"
@@ -20,6 +22,7 @@ constexpr int max_level = 3;
 struct ShippedScene {
   const char* name;
   int columns, rows;
+  friend void PrintTo(const ShippedScene& scene, std::ostream* out) { *out << scene.name; }
 };
 
 Scene load(const ShippedScene& shipped) {
@@ -62,7 +65,7 @@ TEST_P(Silhouettes, DifferOnlyWithinTheErrorBound) {
     RecordProperty(format.name() + "_pyramids", std::to_string(frame.different_pyramids));
     EXPECT_EQ(frame.rays.unexplained, 0) << format.name() << '\n' << frame.rays.first_unexplained;
     EXPECT_EQ(outline.unexplained, 0) << format.name() << '\n' << outline.first_unexplained;
-    EXPECT_GT(outline.largest_error, 0.05) << format.name() << ": the bound is too loose to say much";
+    EXPECT_GT(outline.largest_error, 0.1) << format.name() << ": a tenth of the bound would do";
   }
   RecordProperty("refused_formats", std::to_string(left_out));
 }
@@ -82,7 +85,7 @@ TEST_P(Silhouettes, OfTheOracleAreThoseOfRealNumbers) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Silhouettes,
                          testing::Values(ShippedScene{"keel", 64, 48}, ShippedScene{"spheres", 64, 48},
-                                         ShippedScene{"fins", 64, 48}, ShippedScene{"bunny", 10, 8}),
+                                         ShippedScene{"fins", 64, 48}, ShippedScene{"bunny", 24, 18}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 /// Spheres by the textbook's b^2 - 4ac, which cancels.
