@@ -12,9 +12,13 @@ namespace {
 std::atomic<int> last_signal = 0;  ///< the only thing that a signal handler can reach
 static_assert(std::atomic<int>::is_always_lock_free);
 
-void handle(void (*handler)(int)) {
-  std::signal(SIGINT, handler);
-  std::signal(SIGTERM, handler);
+using Handler = void (*)(int);
+
+/// What is ignored stays so, as for a shell's background jobs.
+void handle(Handler handler) {
+  for (const int number : {SIGINT, SIGTERM}) {
+    if (std::signal(number, handler) == SIG_IGN) std::signal(number, SIG_IGN);
+  }
 }
 
 extern "C" void note_signal(int number) {

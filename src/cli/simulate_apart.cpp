@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/simulate_apart.h"
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,12 +55,20 @@ std::string read_all(int end) {
   _exit(written ? exit_ok : exit_run_failed);
 }
 
+/// A killed parent takes this process with it.
+void die_with(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(exit_run_failed);  // it was killed before
+}
+
 }  // namespace
 
 ApartResult simulate_apart(const Scene& scene, const hw::MachineSpec& spec, const hw::SimulationOptions& options) {
   int ends[2];
   if (pipe(ends) != 0) throw RunError("pipe: " + std::system_category().message(errno));
+  const pid_t parent = getpid();
   const pid_t child = fork();
+  if (child == 0) die_with(parent);
   if (child == 0) run_child(ends[1], scene, spec, options);
   const int fork_error = errno;
   close(ends[1]);

@@ -62,8 +62,11 @@ ordered_json events_document(const ArithmeticEvents& events) {
 /// The processor's own formats are not watched.
 void add_events(ordered_json& document, const DatapathEvents& events, const DatapathFormats& formats) {
   if (!formats.counts_events()) return;
-  document["arithmetic"] = {{"view_vectors", events_document(events.view_vectors)},
-                            {"intersection", events_document(events.intersection)}};
+  const auto add = [&](const char* stage, const NumberFormat& format, const ArithmeticEvents& counted) {
+    if (format.kind != NumberKind::processor) document["arithmetic"][stage] = events_document(counted);
+  };
+  add("view_vectors", formats.view_vectors, events.view_vectors);
+  add("intersection", formats.intersection, events.intersection);
 }
 
 ordered_json machine_document(const hw::Processor& processor) {

@@ -13,6 +13,7 @@
 #include "hw_model/processor.h"
 #include "hw_model/report/deadlock.h"
 #include "image/image_error.h"
+#include "render/picture_memory.h"
 #include "study/format_plot.h"
 #include "study/format_study.h"
 
@@ -40,6 +41,7 @@ struct NumericsStudy {
     const int max_level = parse_max_level(frame.max_level, scene.camera.screen);
     check_addressable(scene.camera.screen, max_level);
     std::vector<Candidate> candidates = chosen();
+    check_picture_fits(scene.camera.rendered(), physical_memory(), candidates.size());
     std::optional<TextOutput> table;
     if (!csv.empty()) table.emplace(csv);
     std::optional<TextOutput> picture;
@@ -67,7 +69,9 @@ struct NumericsStudy {
   std::vector<Candidate> chosen() const {
     std::vector<Candidate> candidates(1);
     const auto add = [&](const NumberFormat& format) {
-      if (format != NumberFormat()) candidates.push_back({format, {}, nullptr, nullptr});
+      const auto is_it = [&](const Candidate& candidate) { return candidate.format == format; };
+      if (std::none_of(candidates.begin(), candidates.end(), is_it))
+        candidates.push_back({format, {}, nullptr, nullptr});
     };
     if (formats.empty()) {
       std::vector<NumberFormat> all = number_formats();
@@ -135,7 +139,10 @@ struct NumericsStudy {
 
 void add_study_command(CLI::App& app, Action& action) {
   CLI::App* study = app.add_subcommand("study", "Measure what a choice costs, over all its values.");
-  study->require_subcommand(1);
+  study->require_subcommand(0, 1);  // so that the name of an unknown one shows
+  study->callback([study] {
+    if (study->get_subcommands().empty()) throw CLI::RequiredError("study: numerics");
+  });
   auto options = std::make_shared<NumericsStudy>();
   CLI::App* command =
       study->add_subcommand("numerics", "Simulate a frame in every number format and measure each against double.");

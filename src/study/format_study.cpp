@@ -50,7 +50,7 @@ std::string format_table(const std::vector<FormatRow>& rows) {
     }
     text += fmt::format("{:>9} {:>9} {:>7} {:>7} {:>7} {:>9} {:>10} {:>10}\n", row.changed_pixels, row.flips.flipped,
                         row.flips.extra_subdivisions, row.flips.lost_subdivisions, decibels(row.psnr), row.rays,
-                        row.cycles, row.events.saturations);
+                        row.cycles, row.counts_events() ? fmt::format("{}", row.events.saturations) : "-");
   }
   return text + "the smallest format that leaves every pixel of the 8-bit picture as in double:\n" +
          verdict(rows, false) + verdict(rows, true);
@@ -68,10 +68,11 @@ std::string format_csv(const std::vector<FormatRow>& rows) {
       text += ",,,,,,,,,,,,\n";
       continue;
     }
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.changed_pixels, row.flips.decisions,
-                        row.flips.flipped, row.flips.extra_subdivisions, row.flips.lost_subdivisions, row.psnr,
-                        row.rays, row.cycles, row.events.saturations, row.events.underflows, row.events.inexact,
-                        row.events.divisions_by_zero, row.events.invalid);
+    text += fmt::format("{},{},{},{},{},{},{},{},", row.changed_pixels, row.flips.decisions, row.flips.flipped,
+                        row.flips.extra_subdivisions, row.flips.lost_subdivisions, row.psnr, row.rays, row.cycles);
+    text += row.counts_events() ? fmt::format("{},{},{},{},{}\n", row.events.saturations, row.events.underflows,
+                                              row.events.inexact, row.events.divisions_by_zero, row.events.invalid)
+                                : ",,,,\n";
   }
   return text;
 }

@@ -25,6 +25,8 @@ struct FormatRow {
   ArithmeticEvents events;  ///< of all stages
 
   bool usable() const { return refused.empty(); }
+  /// The processor's own formats are not watched.
+  bool counts_events() const { return format.kind != NumberKind::processor; }
 };
 
 /// The narrowest format, in bits of a number and, where these are equal, after the binary point, that leaves the 8-bit

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "error.h"
 
@@ -27,18 +30,30 @@ int needed_integer_bits(const Screen& screen) {
   return std::ilogb(1 + y * y + z * z) + 1;
 }
 
+/// Numbers near 0 are multiples of 2^-fraction_bits, and none is 2^integer_bits or more.
+struct Range {
+  int fraction_bits;
+  int integer_bits;
+};
+
+Range range_of(const NumberFormat& format) {
+  if (format.kind == NumberKind::fixed) return {format.fraction_bits, format.bits - 1 - format.fraction_bits};
+  const int largest_exponent = 1 << (static_cast<unsigned>(format.exponent_bits) - 1);
+  return {largest_exponent - 2 + format.significand_bits - 1, largest_exponent};
+}
+
 void require_bits(std::string_view stage, const NumberFormat& format, int fraction_bits, int integer_bits) {
-  if (format.kind != NumberKind::fixed) return;
-  if (format.fraction_bits < fraction_bits) {
+  const Range range = range_of(format);
+  if (range.fraction_bits < fraction_bits) {
     throw UsageError(
-        fmt::format("--scalar {} for {}: neighbouring points of the screen's grid fall together; {} fraction bits or "
-                    "more, a smaller screen or a lower MAX_LEVEL is allowed",
+        fmt::format("--scalar {} for {}: neighbouring points of the screen's grid fall together; multiples of 2^-{} "
+                    "are needed, or a coarser grid: fewer pixels, or a lower MAX_LEVEL or N",
                     format.name(), stage, fraction_bits));
   }
-  if (format.bits - 1 - format.fraction_bits < integer_bits) {
+  if (range.integer_bits < integer_bits) {
     throw UsageError(
-        fmt::format("--scalar {} for {}: the view vector through the screen's corner is too long; {} integer bits or "
-                    "more, or a narrower field of view is allowed",
+        fmt::format("--scalar {} for {}: the view vector through the screen's corner is too long; numbers up to "
+                    "2^{} are needed, or a narrower field of view",
                     format.name(), stage, integer_bits));
   }
 }
@@ -56,6 +71,7 @@ DatapathFormats parse_datapath_formats(std::string_view text) {
     return {format, format};
   }
   DatapathFormats formats;
+  std::vector<std::string_view> named;
   bool more = true;
   while (more) {
     const std::string_view part = text.substr(0, text.find(','));
@@ -63,6 +79,10 @@ DatapathFormats parse_datapath_formats(std::string_view text) {
     text.remove_prefix(part.size() + (more ? 1 : 0));
     const std::size_t sign = std::min(part.find('='), part.size());
     const std::string_view stage = part.substr(0, sign);
+    if (std::find(named.begin(), named.end(), stage) != named.end()) {
+      throw UsageError(fmt::format("{}: a second format for {}; one is allowed", part, stage));
+    }
+    named.push_back(stage);
     const std::string_view format = part.substr(std::min(sign + 1, part.size()));
     if (stage == view_vectors_key) {
       formats.view_vectors = parse_number_format(format);
@@ -83,15 +103,18 @@ std::optional<std::string> check_addressing(const DatapathFormats& formats, cons
   require_bits("intersection", formats.intersection, fraction_bits, integer_bits);
   const double points = static_cast<double>(std::max(screen.columns, screen.rows)) * static_cast<double>(steps);
   const int needed = static_cast<int>(std::ceil(std::log2(points))) + 4;
-  for (const auto& [stage, format] :
-       {std::pair(view_vectors_key, formats.view_vectors), std::pair(intersection_key, formats.intersection)}) {
-    if (format.kind == NumberKind::fixed || format.significand_bits >= needed) continue;
-    return fmt::format(
-        "--scalar {} for {}: {} significand bits are fewer than the {} by which no two of {:.0f} grid "
-        "points along a side come near each other; borders of objects will be ragged",
-        format.name(), stage, format.significand_bits, needed, points);
-  }
-  return std::nullopt;
+  const auto bits = [](const NumberFormat& format) {
+    return format.kind == NumberKind::fixed ? std::numeric_limits<int>::max() : format.significand_bits;
+  };
+  const bool in_view_vectors = bits(formats.view_vectors) <= bits(formats.intersection);
+  const NumberFormat& narrowest = in_view_vectors ? formats.view_vectors : formats.intersection;
+  if (bits(narrowest) >= needed) return std::nullopt;
+  return fmt::format(
+      "--scalar {} for {}: {} significand bits are fewer than the {} by which no two of {:.0f} grid points along a "
+      "side "
+      "come near each other; borders of objects will be ragged",
+      narrowest.name(), in_view_vectors ? view_vectors_key : intersection_key, narrowest.significand_bits, needed,
+      points);
 }
 
 }  // namespace pyrasim

@@ -35,11 +35,10 @@ DatapathFormats parse_datapath_formats(std::string_view text);
 
 /// Whether the formats can tell the points of a screen's grid apart, `steps` of them along a pixel's side.
 ///
-/// Throws UsageError where fixed point cannot address the screen: the grid's points lie closer together than its last
-/// place, or its integer part is too short for the squared length of the view vector through the screen's corner.
-/// Floating point has ever finer steps towards the middle of the screen; with fewer significand bits than
-/// log2(N steps) + 4, N being the longer side's pixels, points near the border begin to fall together, and the answer
-/// is a warning for the user.
+/// Throws UsageError where a format cannot address the screen: the grid's points lie closer together than its numbers
+/// near 0, or the squared length of the view vector through the screen's corner exceeds them. Floating point has finer
+/// steps towards the middle of the screen; with fewer significand bits than log2(N steps) + 4, N being the longer
+/// side's pixels, points near the border begin to fall together, and the answer is a warning for the user.
 std::optional<std::string> check_addressing(const DatapathFormats& formats, const Screen& screen, std::int64_t steps);
 
 /// What happened to numbers in each stage of a frame.

@@ -38,8 +38,9 @@ class Commands(tool.EndToEnd):
                     ("--leaf", "0", "mean or drop"), ("--scalar", "half", "double or float"),
                     ("--scalar", "", "(empty)"), ("--scalar", "accumulation=fp24", "intersection=FORMAT is allowed"),
                     ("--scalar", "view_vectors=fp24,", "intersection=FORMAT is allowed"),
-                    ("--scalar", "view_vectors=", "(empty)"), ("--scalar", "fix24.12", "13 fraction bits or more"),
-                    ("--scalar", "intersection=fix24.12", "13 fraction bits or more"),
+                    ("--scalar", "view_vectors=", "(empty)"), ("--scalar", "fix24.12", "multiples of 2^-13 are needed"),
+                    ("--scalar", "view_vectors=fp24,view_vectors=fp16", "a second format for view_vectors"),
+                    ("--scalar", "intersection=fix24.12", "multiples of 2^-13 are needed"),
                     ("--png-bits", "9", "9"), ("--png-encoding", "cmyk", "cmyk")):
                 self.refused(USAGE, command, KEEL, option, value, "-o", "out.png", says=says)
             for window, says in (

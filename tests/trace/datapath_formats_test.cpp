@@ -25,7 +25,8 @@ TEST(DatapathFormats, AreReadAsTheyAreWritten) {
       EXPECT_EQ(parse_datapath_formats(formats.name()), formats);
     }
   }
-  for (const char* text : {"", "half", "=", "view_vectors=", "view_vectors=fp24,", "color=fp24", "fp24,fp24"}) {
+  for (const char* text : {"", "half", "=", "view_vectors=", "view_vectors=fp24,", "color=fp24", "fp24,fp24",
+                           "view_vectors=fp24,view_vectors=fp24"}) {
     EXPECT_THROW(parse_datapath_formats(text), UsageError) << text;
   }
 }
@@ -85,6 +86,18 @@ TEST(DatapathFormats, AreRefusedWhereALongViewVectorOverflows) {
   EXPECT_THROW(check_addressing({narrow, {}}, wide, 1), UsageError);
   EXPECT_THROW(check_addressing({{}, narrow}, wide, 1), UsageError);
   EXPECT_EQ(check_addressing({FormatOf<Fix<32, 16>>::value, {}}, wide, 1), std::nullopt);
+}
+
+/// The exponent of fp16: numbers below 2^16, and multiples of 2^-24.
+TEST(DatapathFormats, AreRefusedWhereAnExponentIsTooShort) {
+  const NumberFormat fp16 = FormatOf<Fp16>::value;
+  const Screen nearly_a_half_space{64, 48, 1, 8, 8};  // a squared length of 1 + 192^2 + 256^2, which is 2^16.6
+  EXPECT_THROW(check_addressing({fp16, {}}, nearly_a_half_space, 1), UsageError);
+  EXPECT_NO_THROW(check_addressing({FormatOf<Bf16>::value, {}}, nearly_a_half_space, 1));
+  const Screen tele{16, 12, 1, 0x1p-24, 0x1p-24};
+  EXPECT_NO_THROW(check_addressing({{}, fp16}, tele, 1));
+  EXPECT_THROW(check_addressing({{}, fp16}, tele, 2), UsageError);
+  EXPECT_FALSE(tells_points_apart(fp16, tele, 2));
 }
 
 TEST(DatapathFormats, WarnBelowLogOfThePointsPlusFourBits) {
