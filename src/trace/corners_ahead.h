@@ -20,8 +20,8 @@ namespace pyrasim {
 class CornersAhead {
  public:
   /// The thread starts at once. `out_of_order`: a corner is asked for at most so many corners after another one that
-  /// follows it in the raster. Corners are `steps` grid steps apart, a power
-  /// of two. `tracer` must outlive this.
+  /// follows it in the raster. Corners are `steps` grid steps apart, a power of two. `tracer` must
+  /// outlive this.
   CornersAhead(const Tracer& tracer, const ViewVectors& view_vectors, const PixelWindow& window, std::uint32_t steps,
                std::size_t out_of_order);
   ~CornersAhead();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "error.h"
+#include "numeric/number_range.h"
 
 namespace pyrasim {
 namespace {
@@ -30,31 +31,18 @@ int needed_integer_bits(const Screen& screen) {
   return std::ilogb(1 + y * y + z * z) + 1;
 }
 
-/// Numbers near 0 are multiples of 2^-fraction_bits, and none is 2^integer_bits or more.
-struct Range {
-  int fraction_bits;
-  int integer_bits;
-};
-
-Range range_of(const NumberFormat& format) {
-  if (format.kind == NumberKind::fixed) return {format.fraction_bits, format.bits - 1 - format.fraction_bits};
-  const int largest_exponent = 1 << (static_cast<unsigned>(format.exponent_bits) - 1);
-  return {largest_exponent - 2 + format.significand_bits - 1, largest_exponent};
-}
-
-void require_bits(std::string_view stage, const NumberFormat& format, int fraction_bits, int integer_bits) {
-  const Range range = range_of(format);
-  if (range.fraction_bits < fraction_bits) {
+void require_bits(std::string_view stage, const NumberFormat& format, int fraction_needed, int integer_needed) {
+  if (finest_fraction_bits(format) < fraction_needed) {
     throw UsageError(
         fmt::format("--scalar {} for {}: neighbouring points of the screen's grid fall together; multiples of 2^-{} "
                     "are needed, or a coarser grid: fewer pixels, or a lower MAX_LEVEL or N",
-                    format.name(), stage, fraction_bits));
+                    format.name(), stage, fraction_needed));
   }
-  if (range.integer_bits < integer_bits) {
+  if (integer_bits(format) < integer_needed) {
     throw UsageError(
         fmt::format("--scalar {} for {}: the view vector through the screen's corner is too long; numbers up to "
                     "2^{} are needed, or a narrower field of view",
-                    format.name(), stage, integer_bits));
+                    format.name(), stage, integer_needed));
   }
 }
 
@@ -97,10 +85,10 @@ DatapathFormats parse_datapath_formats(std::string_view text) {
 }
 
 std::optional<std::string> check_addressing(const DatapathFormats& formats, const Screen& screen, std::int64_t steps) {
-  const int fraction_bits = needed_fraction_bits(screen, steps);
-  const int integer_bits = needed_integer_bits(screen);
-  require_bits("view_vectors", formats.view_vectors, fraction_bits, integer_bits);
-  require_bits("intersection", formats.intersection, fraction_bits, integer_bits);
+  const int fraction_needed = needed_fraction_bits(screen, steps);
+  const int integer_needed = needed_integer_bits(screen);
+  require_bits(view_vectors_key, formats.view_vectors, fraction_needed, integer_needed);
+  require_bits(intersection_key, formats.intersection, fraction_needed, integer_needed);
   const double points = static_cast<double>(std::max(screen.columns, screen.rows)) * static_cast<double>(steps);
   const int needed = static_cast<int>(std::ceil(std::log2(points))) + 4;
   const auto bits = [](const NumberFormat& format) {

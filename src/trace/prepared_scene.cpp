@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "numeric/number_range.h"
 #include "trace/observer_frame.h"
 #include "trace/wide_hierarchy.h"
 
@@ -18,9 +19,7 @@ __extension__ using Quadruple = __float128;
 /// depth takes, stay within the format. Fixed point so uses the bits that it has.
 int largest_exponent(const NumberFormat& format) {
   constexpr int enough = 16;
-  const int limit = format.kind == NumberKind::fixed ? format.bits - 1 - format.fraction_bits
-                                                     : 1 << (static_cast<unsigned>(format.exponent_bits) - 1);
-  return std::min((limit - 4) / 3, enough);
+  return std::min((integer_bits(format) - 4) / 3, enough);
 }
 
 double largest_component(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }

@@ -2,6 +2,8 @@
 // A prepared scene rounded to the number format that traces it.
 #pragma once
 
+#include <type_traits>
+
 #include "trace/prepared_scene.h"
 
 namespace pyrasim {
@@ -54,25 +56,29 @@ SeenBoxes<Scalar> rounded(const SeenBoxes<double>& boxes) {
 /// Every number rounded to the nearest value of `Scalar`. The bounds of the hierarchy hold in `Scalar` where the scene
 /// was prepared for its format.
 template <class Scalar>
-PreparedScene<Scalar> rounded(const PreparedScene<double>& scene) {
-  PreparedScene<Scalar> result;
-  for (const auto& node : scene.nodes) {
-    result.nodes.push_back({rounded<Scalar>(node.boxes), node.child, node.children});
+PreparedScene<Scalar> rounded(PreparedScene<double> scene) {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    return scene;
+  } else {
+    PreparedScene<Scalar> result;
+    for (const auto& node : scene.nodes) {
+      result.nodes.push_back({rounded<Scalar>(node.boxes), node.child, node.children});
+    }
+    for (const auto& leaf : scene.leaves) {
+      result.leaves.push_back({leaf.first_sphere, leaf.spheres, leaf.first_triangle, leaf.triangles});
+    }
+    result.root = scene.root;
+    result.everything = scene.everything;
+    for (const auto& sphere : scene.spheres) result.spheres.push_back(rounded<Scalar>(sphere));
+    for (const auto& triangle : scene.triangles) result.triangles.push_back(rounded<Scalar>(triangle));
+    for (const auto& shading : scene.triangle_shading) result.triangle_shading.push_back(rounded<Scalar>(shading));
+    for (const auto& plane : scene.planes) result.planes.push_back(rounded<Scalar>(plane));
+    result.lit = scene.lit;
+    result.ambient = static_cast<Scalar>(scene.ambient);
+    result.towards_light = rounded<Scalar>(scene.towards_light);
+    result.exponent = scene.exponent;
+    return result;
   }
-  for (const auto& leaf : scene.leaves) {
-    result.leaves.push_back({leaf.first_sphere, leaf.spheres, leaf.first_triangle, leaf.triangles});
-  }
-  result.root = scene.root;
-  result.everything = scene.everything;
-  for (const auto& sphere : scene.spheres) result.spheres.push_back(rounded<Scalar>(sphere));
-  for (const auto& triangle : scene.triangles) result.triangles.push_back(rounded<Scalar>(triangle));
-  for (const auto& shading : scene.triangle_shading) result.triangle_shading.push_back(rounded<Scalar>(shading));
-  for (const auto& plane : scene.planes) result.planes.push_back(rounded<Scalar>(plane));
-  result.lit = scene.lit;
-  result.ambient = static_cast<Scalar>(scene.ambient);
-  result.towards_light = rounded<Scalar>(scene.towards_light);
-  result.exponent = scene.exponent;
-  return result;
 }
 
 }  // namespace pyrasim

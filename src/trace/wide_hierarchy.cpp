@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/number_range.h"
 #include "trace/hierarchy_builder.h"
 #include "trace/seen_bounds.h"
 
@@ -24,18 +25,16 @@ constexpr double margin_roundings = 8;
 class Margin {
  public:
   Margin(const NumberFormat& format, const Screen& screen) {
+    const double resolution = std::ldexp(1.0, -finest_fraction_bits(format));
     if (format.kind == NumberKind::fixed) {
       // Errors are absolute there; the longest view vector multiplies them twice.
       const double half_y = screen.rows * screen.dy / (2 * screen.dx);
       const double half_z = screen.columns * screen.dz / (2 * screen.dx);
-      const double resolution = std::ldexp(1.0, -format.fraction_bits);
       relative_ = absolute_ = margin_roundings * resolution * (1 + half_y * half_y + half_z * half_z);
-      absolute_ += square_root_margin * std::sqrt(resolution);
     } else {
-      const int smallest_exponent = 2 - (1 << (static_cast<unsigned>(format.exponent_bits) - 1));
       relative_ = std::ldexp(margin_roundings, 1 - format.significand_bits);
-      absolute_ = square_root_margin * std::sqrt(std::ldexp(1.0, smallest_exponent + 1 - format.significand_bits));
     }
+    absolute_ += square_root_margin * std::sqrt(resolution);
   }
 
   double of(double largest_coordinate) const { return relative_ * largest_coordinate + absolute_; }
@@ -43,8 +42,8 @@ class Margin {
  private:
   /// A squared distance is lost with the smallest number; a distance, with its root.
   static constexpr double square_root_margin = 2;
-  double relative_;
-  double absolute_;
+  double relative_ = 0;
+  double absolute_ = 0;
 };
 
 double largest_coordinate(const glm::dvec3& point) {
