@@ -7,7 +7,7 @@
 
 #include "cli/command.h"
 #include "error.h"
-#include "json/json_file.h"
+#include "text/printable.h"
 #include "version.h"
 
 namespace {
@@ -22,7 +22,7 @@ void report(const sc_core::sc_report& report, const sc_core::sc_actions& actions
 /// Help, or a mistake on the command line.
 int finish_parsing(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
-  std::cerr << "pyrasim: " << pyrasim::one_line(error.what()) << "; pyrasim --help lists what is allowed\n";
+  std::cerr << "pyrasim: " << pyrasim::message_line(error.what()) << "; pyrasim --help lists what is allowed\n";
   return pyrasim::exit_usage;
 }
 
@@ -58,12 +58,12 @@ int run(int argc, char** argv) {
     std::cerr << "pyrasim: " << error.what() << '\n';
     return error.exit_code();
   } catch (const Error& error) {
-    std::cerr << "pyrasim: " << one_line(error.what()) << '\n';
+    std::cerr << "pyrasim: " << message_line(error.what()) << '\n';
     return error.exit_code();
   } catch (const std::bad_alloc&) {
     std::cerr << "pyrasim: out of memory\n";
   } catch (const std::exception& error) {
-    std::cerr << "pyrasim: " << one_line(error.what()) << '\n';
+    std::cerr << "pyrasim: " << message_line(error.what()) << '\n';
   }
   return exit_run_failed;
 }
