@@ -57,12 +57,17 @@ class MeshBuilder {
 
   void add(const ObjOutline::Face& face, std::span<const std::uint32_t> corners) {
     const std::size_t before = mesh_.triangles.size();
+    bool crossing = false;
     if (corners.size() == 3) {
       add_triangle({corners[0], corners[1], corners[2]});
     } else {
-      add_polygon(face, corners);
+      crossing = add_polygon(corners);
     }
-    if (mesh_.triangles.size() == before) ++without_area_;
+    if (mesh_.triangles.size() == before) {
+      ++without_area_;
+    } else if (crossing && crossing_++ == 0) {
+      first_crossing_ = face.line;
+    }
   }
 
   std::vector<std::string> warnings() const {
@@ -88,12 +93,13 @@ class MeshBuilder {
     }
   }
 
-  void add_polygon(const ObjOutline::Face& face, std::span<const std::uint32_t> corners) {
+  /// Whether the polygon crosses itself.
+  bool add_polygon(std::span<const std::uint32_t> corners) {
     points_.clear();
     for (const std::uint32_t corner : corners) points_.push_back(mesh_.vertices[corner]);
     const Triangulation polygon = triangulate(points_);
     for (const auto& [i, j, k] : polygon.triangles) add_triangle({corners[i], corners[j], corners[k]});
-    if (polygon.crossing && crossing_++ == 0) first_crossing_ = face.line;
+    return polygon.crossing;
   }
 
   Mesh& mesh_;
