@@ -3,6 +3,7 @@
 
 #include "cli/statistics_document.h"
 #include "hw_model/report/bottleneck.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -78,8 +79,8 @@ std::string simulation_table(const std::string& scene, const Camera& camera, int
   const hw::MachineSpec& spec = processor.spec();
   const bool met = processor.cycles() <= spec.budget();
   const Screen& screen = camera.screen;
-  std::string text = fmt::format("{} at {}x{} pixels{}, MAX_LEVEL {}, on machine {}\n\n", scene, screen.columns,
-                                 screen.rows, window_text(camera), max_level, spec.name);
+  std::string text = fmt::format("{} at {}x{} pixels{}, MAX_LEVEL {}, on machine {}\n\n", one_line(scene),
+                                 screen.columns, screen.rows, window_text(camera), max_level, excerpt(spec.name));
   text += frame_lines(processor.statistics(), max_level);
   text += unit_lines(processor);
   text += fmt::format("\ncycles        {:>12}   {:.1f} frames per second at {} MHz\n", grouped(processor.cycles()),
