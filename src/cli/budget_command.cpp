@@ -85,24 +85,28 @@ std::string cap_text(const FrameOutcome& outcome) {
   return outcome.closes_loop ? "the latency of a loop through " + unit : unit;
 }
 
-/// A line's beginning: in columns where it is one step.
-std::string steps_text(const Change& change) {
+/// A line's beginning: one step in columns, two side by side.
+std::string steps_text(const Change& change, std::size_t name_width) {
   if (change.steps.size() == 1) {
     const Change::Step& step = change.steps.front();
-    return fmt::format("{:<18}  {:>9} -> {:<9}", step.setting, step.from, step.to);
+    return fmt::format("{:<{}}  {:>9} -> {:<9}", step.setting, name_width, step.from, step.to);
   }
   std::string text;
   for (const Change::Step& step : change.steps) {
     text += fmt::format("{}{} {} -> {}", text.empty() ? "" : ", ", step.setting, step.from, step.to);
   }
-  return fmt::format("{:<56}", text);
+  return text;
 }
 
 std::string change_lines(const std::vector<Change>& changes) {
+  std::size_t name_width = 0;
+  for (const Change& change : changes) name_width = std::max(name_width, change.steps.front().setting.size());
+  std::size_t width = 0;
+  for (const Change& change : changes) width = std::max(width, steps_text(change, name_width).size());
   std::string text;
   for (const Change& change : changes) {
-    text += fmt::format("  {}  {:>12} cycles  {:>8.1f} frames per second\n", steps_text(change), change.outcome.cycles,
-                        change.fps);
+    text += fmt::format("  {:<{}}  {:>12} cycles  {:>8.1f} frames per second\n", steps_text(change, name_width), width,
+                        change.outcome.cycles, change.fps);
     if (!change.met) text += fmt::format("      not enough: capped by {}\n", cap_text(change.outcome));
   }
   return text;
@@ -206,7 +210,8 @@ struct BudgetCommand {
 void add_budget_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<BudgetCommand>();
   CLI::App* command = app.add_subcommand(
-      "budget", "Say whether a machine meets a frame rate, and the smallest changes that make it do so.");
+      "budget",
+      "Say whether a machine meets a frame rate, and the smallest changes, alone or two together, that make it do so.");
   add_frame_options(*command, options->frame);
   add_scalar_option(*command, options->frame.scalar);
   options->machine.add(*command);

@@ -176,7 +176,9 @@ void add_study_command(CLI::App& app, Action& action) {
   });
   auto options = std::make_shared<NumericsStudy>();
   CLI::App* command =
-      study->add_subcommand("numerics", "Simulate a frame in every number format and measure each against double.");
+      study->add_subcommand("numerics",
+                            "Simulate a frame in every number format and measure each against double; a row is "
+                            "written as soon as it is done.");
   add_frame_options(*command, options->frame);
   command->add_option("--formats", options->formats, "formats to study; all without it")->type_name("FORMAT,...");
   options->machine.add(*command);

@@ -155,7 +155,9 @@ struct SweepCommand {
 void add_sweep_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<SweepCommand>();
   CLI::App* command = app.add_subcommand(
-      "sweep", "Simulate every combination of level, size and leaf, and measure each against a reference.");
+      "sweep",
+      "Simulate every combination of level, size and leaf, and measure each against a reference; a row is written as "
+      "soon as it is done.");
   command->add_option("SCENE", options->scene, "scene file (JSON)")->required();
   command->add_option("--max-level", options->levels, "levels")->type_name("FIRST:LAST|L,L,...")->capture_default_str();
   command->add_option("--size", options->sizes, "screens; the scene's without it")->type_name("COLUMNSxROWS,...");
