@@ -22,7 +22,7 @@ constexpr int most_mhz = 1'000'000;
 
 std::string name_of(const BudgetFrame& frame) {
   std::vector<std::string> changes;
-  for (const auto& [setting, value] : frame.changed) changes.push_back(setting + " " + value);
+  for (const auto& [setting, value] : frame.changed) changes.push_back(fmt::format("{} {}", setting, value));
   return changes.empty() ? "the simulation" : fmt::format("the simulation with {}", fmt::join(changes, ", "));
 }
 

@@ -46,7 +46,10 @@ void RowOutput::row(const std::string& csv, const std::string& table) {
   print(table_, table);
 }
 
-void RowOutput::remark(const std::string& text) { print(table_, text); }
+void RowOutput::finish(const std::string& text) {
+  if (file_) file_->output.commit();
+  print(table_, text);
+}
 
 void make_rows(const std::vector<std::string>& names, const std::function<void(std::size_t)>& make_row) {
   std::size_t done = 0;

@@ -24,8 +24,8 @@ class RowOutput {
   void header(const std::string& csv, const std::string& table);
   /// Whole lines. Throws RunError where they cannot be written.
   void row(const std::string& csv, const std::string& table);
-  /// Lines for people alone.
-  void remark(const std::string& text);
+  /// The end of both: after lines for people alone. Throws RunError likewise.
+  void finish(const std::string& text);
 
  private:
   struct File;

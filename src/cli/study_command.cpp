@@ -61,7 +61,7 @@ struct NumericsStudy {
     if (!plot.empty()) picture.emplace(plot);
     output.header(format_csv_header(), format_table_header());
     const std::vector<FormatRow> rows = study(list, scene, spec, max_level, output);
-    output.remark(format_verdict(rows));
+    output.finish(format_verdict(rows));
     if (picture) {
       picture->write(format_plot(rows, fmt::format("{}, {}x{} pixels, MAX_LEVEL {}, against double", frame.scene,
                                                    scene.camera.screen.columns, scene.camera.screen.rows, max_level)));

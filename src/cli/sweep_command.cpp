@@ -79,7 +79,7 @@ struct SweepCommand {
       const std::size_t end = lines.find('\n') + 1;
       output.row(lines.substr(0, end), lines.substr(end));
     });
-    output.remark(fmt::format("errors: linear RGB against {}, {} rays at the last size\n", peer.name(),
+    output.finish(fmt::format("errors: linear RGB against {}, {} rays at the last size\n", peer.name(),
                               shared->truth.statistics.total_rays()));
   }
 

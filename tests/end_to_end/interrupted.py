@@ -149,6 +149,18 @@ class Interrupted(tool.EndToEnd):
             os.close(reader)
             os.close(writer)
 
+    def test_comparing_for_long(self):
+        """Two large pictures, black."""
+        columns, rows = 20000, 5000
+        for name in ("a.pfm", "b.pfm"):
+            with open(self.folder / name, "wb") as file:
+                file.write(f"PF\n{columns} {rows}\n-1\n".encode())
+                file.truncate(file.tell() + columns * rows * 12)
+        before = self.listing()
+        with self.start("compare", "a.pfm", "b.pfm", "-o", self.old) as process:
+            self.ends(process, signal.SIGTERM, "compare")
+        self.nothing_changes(before)
+
     def test_writing_to_nobody_who_reads(self):
         """stdout is a pipe that is full."""
         levels = ",".join(["0"] * 50)
