@@ -9,6 +9,7 @@
 #include "json/json_file.h"
 #include "json/json_override.h"
 #include "json/json_reader.h"
+#include "text/printable.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -60,6 +61,15 @@ void read_intersection(const JsonReader& reader, MachineSpec& spec) {
   }
 }
 
+void read_frame_buffer(const JsonReader& reader, MachineSpec& spec) {
+  if (reader.has("latency")) {
+    reader.member("latency").fail("nothing waits for what the frame buffer stores, so that it has no latency",
+                                  "remove it; allowed keys: interval");
+  }
+  reader.allow_keys({"interval"});
+  read(reader, "interval", cycles, spec.frame_buffer_interval);
+}
+
 void read_fifos(const JsonReader& reader, FifoDepths& depths) {
   const std::vector<std::pair<std::string_view, std::size_t*>> fifos{
       {"pixel_scan_to_view_vector_generator", &depths.pixel_scan_to_view_vector_generator},
@@ -78,6 +88,8 @@ void read_fifos(const JsonReader& reader, FifoDepths& depths) {
     read(reader, name, depth, *setting);
   }
 }
+
+}  // namespace
 
 MachineSpec read_machine(const std::string& file, const nlohmann::json& document) {
   MachineSpec spec;
@@ -99,12 +111,10 @@ MachineSpec read_machine(const std::string& file, const nlohmann::json& document
   if (const auto accumulator = read_stage(root, "tree_accumulator", spec.tree_accumulator, {"pixels"})) {
     read(*accumulator, "pixels", {1, 1'000'000}, spec.pixels_in_flight);
   }
-  read_stage(root, "frame_buffer", spec.frame_buffer);
+  if (const auto buffer = root.find("frame_buffer")) read_frame_buffer(*buffer, spec);
   if (const auto fifos = root.find("fifos")) read_fifos(*fifos, spec.fifos);
   return spec;
 }
-
-}  // namespace
 
 MachineSpec load_machine(const std::optional<std::filesystem::path>& file, const std::vector<std::string>& overrides) {
   const std::string name = file ? file->string() : "default";
@@ -125,13 +135,13 @@ void check_machine_holds(const MachineSpec& spec, int max_level, int columns) {
     throw InputError(fmt::format(
         "machine {}: /subdivision_controller/pool: {} cannot hold one pixel's tree at MAX_LEVEL {}; at least {} = 3 "
         "({} - 1) + 1 is needed, or a lower MAX_LEVEL",
-        spec.name, spec.subdivision_pool, max_level, required, max_level));
+        excerpt(spec.name), spec.subdivision_pool, max_level, required, max_level));
   }
   if (spec.corner_row < static_cast<std::size_t>(columns) + 2) {
     throw InputError(fmt::format(
         "machine {}: /pyramid_classifier/corner_row: {} cannot hold a row of corners and one more; at least {} = {} + "
         "2 is needed, or fewer columns",
-        spec.name, spec.corner_row, columns + 2, columns));
+        excerpt(spec.name), spec.corner_row, columns + 2, columns));
   }
 }
 

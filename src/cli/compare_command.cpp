@@ -41,20 +41,18 @@ struct CompareCommand {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, Action& action) {
+void add_compare_command(const Command& program) {
   auto options = std::make_shared<CompareCommand>();
-  CLI::App* command =
-      app.add_subcommand("compare", "Errors between two pictures, and both enlarged where they differ most.");
-  command->add_option("FIRST", options->first, "picture (.png or .pfm)")->required();
-  command->add_option("SECOND", options->second, "picture of the same size")->required();
-  options->image.add(*command);
-  command->add_option("--crop", options->crop, "size of the enlarged part")
-      ->type_name("COLUMNSxROWS")
-      ->capture_default_str();
-  command->add_option("--at", options->at, "its upper left pixel; where the pictures differ most without it")
-      ->type_name("COLUMN,ROW");
-  command->add_option("--scale", options->scale, "enlargement")->check(CLI::Range(1, 64))->capture_default_str();
-  command->callback([&action, options] { action = [options] { options->run(); }; });
+  const Command command =
+      program.add_command("compare", "Errors between two pictures, and both enlarged where they differ most.",
+                          [options] { options->run(); });
+  command.add_text("FIRST", options->first, "picture (.png or .pfm)").required();
+  command.add_text("SECOND", options->second, "picture of the same size").required();
+  options->image.add(command);
+  command.add_text("--crop", options->crop, "size of the enlarged part").type_name("COLUMNSxROWS").show_default();
+  command.add_text("--at", options->at, "its upper left pixel; where the pictures differ most without it")
+      .type_name("COLUMN,ROW");
+  command.add_integer("--scale", options->scale, 1, 64, "enlargement").show_default();
 }
 
 }  // namespace pyrasim::cli

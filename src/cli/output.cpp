@@ -43,20 +43,15 @@ const std::string& command_line() { return stored_command_line(); }
 
 void set_command_line(int argc, char** argv) {
   std::string line = "pyrasim";
-  for (int k = 1; k < argc; ++k) line += " " + quoted(argv[k]);
+  for (int k = 1; k < argc; ++k) line.append(1, ' ').append(quoted(argv[k]));
   stored_command_line() = line;
 }
 
-void ImageOutput::add(CLI::App& command) {
-  command.add_option("-o,--output", file, "picture to write: .png or .pfm")->type_name("IMAGE");
-  command.add_option("--png-bits", format.bits, "bits a PNG sample")
-      ->check(CLI::IsMember({8, 16}).description(""))
-      ->type_name("8|16")
-      ->capture_default_str();
-  command.add_option("--png-encoding", encoding, "transfer function of a PNG, stated in the file")
-      ->check(CLI::IsMember({"srgb", "linear"}).description(""))
-      ->type_name("srgb|linear")
-      ->capture_default_str();
+void ImageOutput::add(const Command& command) {
+  command.add_text("-o,--output", file, "picture to write: .png or .pfm").type_name("IMAGE");
+  command.add_choice<int>("--png-bits", format.bits, {{"8", 8}, {"16", 16}}, "bits a PNG sample");
+  command.add_choice<bool>("--png-encoding", format.srgb, {{"srgb", true}, {"linear", false}},
+                           "transfer function of a PNG, stated in the file");
 }
 
 struct TextOutput::File {
@@ -87,7 +82,6 @@ struct PictureOutput::File {
 
 PictureOutput::PictureOutput(ImageOutput options) : options_(std::move(options)) {
   if (options_.file.empty()) return;
-  options_.format.srgb = options_.encoding == "srgb";
   image_file_kind(options_.file);
   file_ = std::make_unique<File>(options_.file);
 }

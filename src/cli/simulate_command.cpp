@@ -5,7 +5,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/choice.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/machine_options.h"
@@ -69,25 +68,24 @@ struct SimulateCommand {
 
 }  // namespace
 
-void add_simulate_command(CLI::App& app, Action& action) {
+void add_simulate_command(const Command& program) {
   auto options = std::make_shared<SimulateCommand>();
-  CLI::App* command = app.add_subcommand("simulate", "Simulate a frame on a machine, cycle by cycle.");
-  add_frame_options(*command, options->frame);
-  add_window_option(*command, options->frame);
-  add_scalar_option(*command, options->frame.scalar);
-  options->image.add(*command);
-  options->machine.add(*command);
-  add_choice(*command, "--engine", options->engine,
-             {{"decoupled", hw::Engine::decoupled}, {"lockstep", hw::Engine::lockstep}},
-             "decoupled is fast; lockstep is plain SystemC, with the same cycles");
+  const Command command =
+      program.add_command("simulate", "Simulate a frame on a machine, cycle by cycle.", [options] { options->run(); });
+  add_frame_options(command, options->frame);
+  add_window_option(command, options->frame);
+  add_scalar_option(command, options->frame.scalar);
+  options->image.add(command);
+  options->machine.add(command);
+  command.add_choice<hw::Engine>("--engine", options->engine,
+                                 {{"decoupled", hw::Engine::decoupled}, {"lockstep", hw::Engine::lockstep}},
+                                 "decoupled is fast; lockstep is plain SystemC, with the same cycles");
   command
-      ->add_option("--threads", options->threads,
+      .add_integer("--threads", options->threads, 0, 1024,
                    "0: one for each core; a second one traces ahead; results do not depend on it")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1024));
-  command->add_option("--stats", options->stats, "statistics as JSON; - for stdout")->type_name("FILE|-");
-  command->add_option("--trace", options->trace, "states of units and fill of FIFOs over time")->type_name("FILE.vcd");
-  command->callback([&action, options] { action = [options] { options->run(); }; });
+      .show_default();
+  command.add_text("--stats", options->stats, "statistics as JSON; - for stdout").type_name("FILE|-");
+  command.add_text("--trace", options->trace, "states of units and fill of FIFOs over time").type_name("FILE.vcd");
 }
 
 }  // namespace pyrasim::cli
