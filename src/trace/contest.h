@@ -17,12 +17,6 @@ namespace pyrasim {
 /// out to be behind a nearer hit, the one forgotten may not be: then the ray has to be walked again, with m known.
 class Contest {
  public:
-  /// The only hit so far, or the one that is certainly nearer than all others.
-  void open(const DistanceRange& range, std::uint32_t order) {
-    *this = {};
-    enter(range, order);
-  }
-
   /// Whether this hit leads now. `order` as in SurfaceIdentity.
   bool enter(const DistanceRange& range, std::uint32_t order) {
     if (range.lowest > highest_) return false;

@@ -9,10 +9,12 @@
 namespace pyrasim {
 namespace {
 
-/// What a coarser bound would tell apart, the finer one has to look at in any case.
-double if_of_use(double error) {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What a coarser bound would tell apart, the finer one has to look at in any case. In fixed point errors are absolute.
+double if_of_use(double error, const RoundingUnits& rounding) {
   constexpr double of_use = 0x1p-8;
-  return error < of_use ? error : std::numeric_limits<double>::infinity();
+  return rounding.relative > 0 && error < of_use ? error : infinity;
 }
 
 double largest(const Vector<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -31,7 +33,7 @@ double relative_error(const SphereSurface<double>& surface, const RoundingUnits&
   const double center = 16 * u * away + 4 * written + 16 * a;
   const double discriminant = 2 * surface.radius * (20 * u * reach + 6 * written) + center * center + 16 * a;
   const double power_error = (4 * reach * written + a) / power;
-  return if_of_use(2 * ((center + std::sqrt(discriminant)) / std::sqrt(power) + power_error + 16 * u));
+  return if_of_use(2 * ((center + std::sqrt(discriminant)) / std::sqrt(power) + power_error + 16 * u), rounding);
 }
 
 /// t is N . a / N . d with N the normal, twice the area long. The product of t and the determinant is the same for all
@@ -55,10 +57,10 @@ double relative_error(const TriangleSurface<double>& surface, const RoundingUnit
       3 * (8 * extent * moved_error + 2 * moved_error * moved_error + 16 * u * extent * extent + 4 * a);
   const double volume = std::abs(dot(normal, vertex(0))) - 16 * 0x1p-53 * extent * extent * size;
   const double left = volume - edges_error * size;
-  if (!(left > 0)) return std::numeric_limits<double>::infinity();
+  if (!(left > 0)) return infinity;
   const double nearest = volume / (2 * std::sqrt(dot(normal, normal)));
   const double own = 12 * u * size + written + 4 * a;
-  return if_of_use(2 * ((extent * edges_error + 8 * a) / left + own / nearest));
+  return if_of_use(2 * ((extent * edges_error + 8 * a) / left + own / nearest), rounding);
 }
 
 PlaneError relative_error(const PlaneSurface<double>& surface, const RoundingUnits& rounding) {
@@ -67,7 +69,7 @@ PlaneError relative_error(const PlaneSurface<double>& surface, const RoundingUni
   const double size = largest(surface.shading.normal);
   const double offset = std::abs(surface.offset);
   const double own = 4 * u + (a + 3 * rounding.written(0) * size) / offset;
-  const double relative = if_of_use(4 * std::max(own, std::sqrt(u)));
+  const double relative = if_of_use(4 * std::max(own, std::sqrt(u)), rounding);
   // n . d errs by so much of the length of d.
   const double approach_error = 3 * (2 * u + 22 * 0x1p-53) * size + 8 * a;
   const double length = offset * relative / (8 * approach_error);

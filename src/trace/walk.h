@@ -10,13 +10,12 @@
 
 #include "pyramid/sample.h"
 #include "trace/box_test.h"
-#include "trace/contest.h"
 #include "trace/hierarchy_builder.h"
 #include "trace/plane.h"
 #include "trace/prepared_scene.h"
 #include "trace/ray.h"
-#include "trace/rounded_scene.h"
 #include "trace/sphere.h"
+#include "trace/standing.h"
 #include "trace/triangle.h"
 
 namespace pyrasim {
@@ -26,49 +25,45 @@ Scalar flat_side(const FlatShading<Scalar>& shading, const Vector<Scalar>& direc
   return dot(shading.normal, direction) < Scalar(0) ? shading.front : shading.back;
 }
 
-/// A surface that a ray met: where, and which.
-template <class Scalar>
-struct Hit {
-  Scalar t;
-  SurfaceKind kind;
-  std::uint32_t index;  ///< among the surfaces of its kind; no_object without a hit
-};
-
-template <class Scalar>
-SurfaceIdentity identity_of(const PreparedScene<Scalar>& scene, const Hit<Scalar>& hit) {
-  if (hit.kind == SurfaceKind::sphere) return scene.spheres[hit.index].identity;
-  if (hit.kind == SurfaceKind::plane) return scene.planes[hit.index].identity;
-  return scene.triangles[hit.index].identity;
-}
-
-template <class Scalar>
-DistanceRange range_of(const PreparedScene<Scalar>& scene, const Vector<Scalar>& direction, const Hit<Scalar>& hit) {
-  const auto range = [&](const auto& surface) {
-    return distance_range(in_double(surface), in_double(direction), static_cast<double>(hit.t), scene.rounding);
-  };
-  if (hit.kind == SurfaceKind::sphere) return range(scene.spheres[hit.index]);
-  if (hit.kind == SurfaceKind::plane) return range(scene.planes[hit.index]);
-  return range(scene.triangles[hit.index]);
-}
-
-/// Enters a hit, whether it leads now; before it the one that leads, if that has not entered yet.
-/// Out of line, and what it takes comes by value: a walk stays in registers.
-template <class Scalar>
-[[gnu::noinline]] bool contend(Contest& contest, const PreparedScene<Scalar>& scene, Vector<Scalar> direction,
-                               Hit<Scalar> leader, bool leader_entered, Hit<Scalar> hit) {
-  if (!leader_entered) contest.open(range_of(scene, direction, leader), identity_of(scene, leader).order);
-  return contest.enter(range_of(scene, direction, hit), identity_of(scene, hit).order);
-}
-
-/// One ray on its way through a scene, and the surface that leads so far (decision D7).
+/// What the ray sees of a surface that it met.
 ///
-/// How far a hit's t may err is known coarsely before there is a ray, as a part of t. As long as such coarse ranges do
-/// not overlap, the nearer hit leads, and nothing else is computed; where they do, the hits enter a contest.
+/// Lambert's cosine law on the side that the ray meets: ambient + (1 - ambient) max(0, -n . l); a cosine beyond 1, or
+/// none at all, is a narrow format's mistake.
 template <class Scalar>
+[[gnu::always_inline]] inline Sample shade_sphere(const PreparedScene<Scalar>& scene, const Vector<Scalar>& direction,
+                                                  const Hit<Scalar>& hit) {
+  const SphereSurface<Scalar>& sphere = scene.spheres[hit.index];
+  if (!scene.lit) return {sphere.identity.object, 1.0};
+  const Vector<Scalar> outward = direction * hit.t - sphere.center;
+  const Scalar side = sphere.power < Scalar(0) ? -sphere.radius : sphere.radius;
+  const Scalar cosine = dot(outward, scene.towards_light) / side;
+  const Scalar lit = std::min(std::max(Scalar(0), cosine), Scalar(1));
+  return {sphere.identity.object, static_cast<double>(scene.ambient + (Scalar(1) - scene.ambient) * lit)};
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline Sample shade(const PreparedScene<Scalar>& scene, const Vector<Scalar>& direction,
+                                           const Hit<Scalar>& hit) {
+  switch (hit.kind) {
+    case SurfaceKind::plane: {
+      if (hit.index == no_object) return {};
+      const auto& plane = scene.planes[hit.index];
+      return {plane.identity.object, static_cast<double>(flat_side(plane.shading, direction))};
+    }
+    case SurfaceKind::triangle:
+      return {scene.triangles[hit.index].identity.object,
+              static_cast<double>(flat_side(scene.triangle_shading[hit.index], direction))};
+    default:
+      return shade_sphere(scene, direction, hit);
+  }
+}
+
+/// One ray on its way through a scene. What it meets enters `Standing`, one of standing.h.
+template <class Scalar, class Standing>
 class Walk {
  public:
-  Walk(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector, Work& work, Contest& contest)
-      : scene_(scene), ray_(view_vector), work_(work), contest_(contest) {}
+  Walk(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector, Work& work, Standing& standing)
+      : scene_(scene), ray_(view_vector), work_(work), standing_(standing) {}
 
   void test_planes() {
     for (std::uint32_t k = 0; k < scene_.planes.size(); ++k) {
@@ -113,28 +108,6 @@ class Walk {
     }
   }
 
-  /// Once all surfaces have been tested: whether that has to be done again.
-  bool repeats() {
-    if (!entered_ || !contest_.in_doubt()) return false;
-    contest_.repeat();
-    lowest_ = 0;
-    leader_.index = no_object;
-    return true;
-  }
-
-  Sample shade() const {
-    if (leader_.index == no_object) return {};
-    const std::uint32_t object = identity_of(scene_, leader_).object;
-    switch (leader_.kind) {
-      case SurfaceKind::plane:
-        return {object, static_cast<double>(flat_side(scene_.planes[leader_.index].shading, ray_.direction))};
-      case SurfaceKind::triangle:
-        return {object, static_cast<double>(flat_side(scene_.triangle_shading[leader_.index], ray_.direction))};
-      default:
-        return {object, shade_sphere(scene_.spheres[leader_.index])};
-    }
-  }
-
  private:
   using Node = typename PreparedScene<Scalar>::Node;
   using Leaf = typename PreparedScene<Scalar>::Leaf;
@@ -157,62 +130,52 @@ class Walk {
   }
 
   void offer(const Hit<Scalar>& hit, double relative_error) {
-    if (!(hit.t > Scalar(0))) return;
-    const auto t = static_cast<double>(hit.t);
-    const double error = t * relative_error;
-    if (t - error > highest_) return;
-    if (t + error < lowest_) {
-      lead(hit, t - error, t + error);
-      entered_ = false;
-      return;
-    }
-    const bool leads = contend(contest_, scene_, ray_.direction, leader_, entered_, hit);
-    lead(leads ? hit : leader_, contest_.lowest(), contest_.highest());
-    entered_ = true;
-  }
-
-  void lead(const Hit<Scalar>& hit, double lowest, double highest) {
-    leader_ = hit;
-    lowest_ = lowest;
-    highest_ = highest;
-    depth_limit_ = static_cast<DepthLimit<Scalar>>(highest * static_cast<double>(ray_.direction.x));
+    if (!(hit.t > Scalar(0)) || !standing_.enter(hit, relative_error)) return;
+    depth_limit_ = static_cast<DepthLimit<Scalar>>(standing_.highest() * static_cast<double>(ray_.direction.x));
   }
 
   void count(SurfaceKind kind, std::uint64_t tests) { work_.surface_tests[static_cast<std::size_t>(kind)] += tests; }
 
-  /// Lambert's cosine law on the side that the ray meets: ambient + (1 - ambient) max(0, -n . l); a cosine beyond 1, or
-  /// none at all, is a narrow format's mistake.
-  double shade_sphere(const SphereSurface<Scalar>& sphere) const {
-    if (!scene_.lit) return 1;
-    const Vector<Scalar> outward = ray_.direction * leader_.t - sphere.center;
-    const Scalar side = sphere.power < Scalar(0) ? -sphere.radius : sphere.radius;
-    const Scalar cosine = dot(outward, scene_.towards_light) / side;
-    const Scalar lit = std::min(std::max(Scalar(0), cosine), Scalar(1));
-    return static_cast<double>(scene_.ambient + (Scalar(1) - scene_.ambient) * lit);
-  }
-
   const PreparedScene<Scalar>& scene_;
   const ViewRay<Scalar> ray_;
   Work& work_;
-  Contest& contest_;
-  Hit<Scalar> leader_{Scalar(0), SurfaceKind::plane, no_object};
-  bool entered_ = true;        ///< whether the leader is in the contest; else nothing else is
-  double lowest_ = infinity;   ///< what ends before it is nearer than all hits so far
-  double highest_ = infinity;  ///< what begins beyond it is behind
-  DepthLimit<Scalar> depth_limit_ = std::numeric_limits<DepthLimit<Scalar>>::infinity();  ///< of boxes, likewise
+  Standing& standing_;
+  DepthLimit<Scalar> depth_limit_ = std::numeric_limits<DepthLimit<Scalar>>::infinity();  ///< boxes beyond are behind
 };
 
-/// What the ray sees: among the planes, and the bounded surfaces below `root` (as Node::child).
+/// What the ray sees among the planes, and the bounded surfaces below `root` (as Node::child).
 template <class Scalar>
-Sample nearest_hit(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector, std::int32_t root,
-                   Work& work) {
-  Contest contest;
-  Walk<Scalar> walk(scene, view_vector, work, contest);
+Sample nearest_of_close_hits(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector, std::int32_t root,
+                             Work& work) {
+  CloseStanding<Scalar> standing(scene, view_vector);
+  Walk<Scalar, CloseStanding<Scalar>> walk(scene, view_vector, work, standing);
   do {
     walk.test_planes();
     walk.traverse(root);
-  } while (walk.repeats());
-  return walk.shade();
+  } while (standing.repeats());
+  return shade(scene, view_vector, standing.leader());
+}
+
+extern template Sample nearest_of_close_hits(const PreparedScene<double>&, const Vector<double>&, std::int32_t, Work&);
+extern template Sample nearest_of_close_hits(const PreparedScene<float>&, const Vector<float>&, std::int32_t, Work&);
+
+/// The same. Nearly all rays of nearly all scenes meet surfaces that lie clearly apart; whoever does not starts again.
+/// That pays where t's error is small and the processor's own numbers are fast.
+template <class Scalar>
+[[gnu::always_inline]] inline Sample nearest_hit(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector,
+                                                 std::int32_t root, Work& work) {
+  if constexpr (std::is_floating_point_v<Scalar>) {
+    Work its_own;
+    ClearStanding<Scalar> standing;
+    Walk<Scalar, ClearStanding<Scalar>> walk(scene, view_vector, its_own, standing);
+    walk.test_planes();
+    walk.traverse(root);
+    if (!standing.undecided()) [[likely]] {
+      work += its_own;
+      return shade(scene, view_vector, standing.leader());
+    }
+  }
+  return nearest_of_close_hits(scene, view_vector, root, work);
 }
 
 }  // namespace pyrasim
