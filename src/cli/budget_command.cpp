@@ -11,6 +11,7 @@
 #include "cli/between.h"
 #include "cli/command.h"
 #include "cli/machine_options.h"
+#include "cli/output_plan.h"
 #include "cli/simulate_apart.h"
 #include "cli/statistics_document.h"
 #include "error.h"
@@ -147,6 +148,10 @@ struct BudgetCommand {
     check_picture_fits(asked.scene.camera.rendered());
     asked.options.formats = frame.formats(screen, std::int64_t{1} << asked.options.max_level);
     hw::check_machine_holds(asked.spec, asked.options.max_level, screen.columns);
+    OutputPlan plan;
+    plan.reads("SCENE", asked.scene.files);
+    plan.reads("--machine", machine.file);
+    plan.writes("--stats", stats);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
 
@@ -157,7 +162,7 @@ struct BudgetCommand {
       changes = {change_units(asked), change_clock(asked, *cycles), change_level(asked), change_size(asked)};
     }
     if (statistics) statistics->write(text_of(document(asked, *cycles, changes)));
-    (stats == "-" ? std::cerr : std::cout) << table(asked, *cycles, changes);
+    plan.table() << table(asked, *cycles, changes);
   }
 
   std::string table(const Frame& asked, hw::Cycle cycles, const std::vector<Change>& changes) const {

@@ -28,6 +28,7 @@ void add_budget_command(CLI::App& app, Action& action);
 void add_check_command(CLI::App& app, Action& action);
 void add_level_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);
+void add_formats_command(CLI::App& app, Action& action);
 
 /// The whole command line, as a shell would take it; every result names it.
 const std::string& command_line();
@@ -58,8 +59,8 @@ void add_leaf_option(CLI::App& command, Leaf& leaf);
 /// What the loader has to remark on a scene, on stderr, a line each.
 void print_warnings(const Scene& scene);
 
-/// "640x480". Throws UsageError.
-std::pair<int, int> parse_size(const std::string& text);
+/// "640x480", the value of `option`. Throws UsageError.
+std::pair<int, int> parse_size(const std::string& text, const std::string& option = "--size");
 /// "X,Y,COLUMNS,ROWS" within `screen`. Throws UsageError.
 PixelWindow parse_window(const std::string& text, const Screen& screen);
 /// A whole number from `least` to `most`; `what` names it in the UsageError.
@@ -73,7 +74,6 @@ std::vector<std::string> split(const std::string& text, char separator);
 struct ImageOutput {
   std::string file;
   PngFormat format;
-  std::string encoding = "srgb";
 
   void add(CLI::App& command);
 };

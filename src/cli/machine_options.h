@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/whole_number.h"
 #include "hw_model/cycle.h"
 #include "hw_model/machine_spec.h"
 
@@ -22,9 +23,8 @@ struct MachineOptions {
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command.add_option("--max-cycles", max_cycles, "give up on a frame that takes longer: exit code 4")
-        ->type_name("N")
-        ->check(CLI::Range(hw::Cycle{1}, hw::never - 1));
+    add_whole_number(command, "--max-cycles", max_cycles, hw::Cycle{1}, hw::never - 1,
+                     "give up on a frame that takes longer: exit code 4");
   }
   hw::MachineSpec load() const {
     return hw::load_machine(file.empty() ? std::nullopt : std::optional<std::filesystem::path>(file), overrides);

@@ -6,7 +6,9 @@
 #include <systemc>
 
 #include "cli/command.h"
+#include "cli/usage.h"
 #include "error.h"
+#include "files/standard_descriptors.h"
 #include "json/json_file.h"
 #include "version.h"
 
@@ -22,7 +24,7 @@ void report(const sc_core::sc_report& report, const sc_core::sc_actions& actions
 /// Help, or a mistake on the command line.
 int finish_parsing(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
-  std::cerr << "pyrasim: " << pyrasim::one_line(error.what()) << "; pyrasim --help lists what is allowed\n";
+  std::cerr << "pyrasim: " << pyrasim::cli::usage_mistake(app, error) << '\n';
   return pyrasim::exit_usage;
 }
 
@@ -47,6 +49,8 @@ int run(int argc, char** argv) {
   cli::add_compare_command(app, action);
   cli::add_check_command(app, action);
   cli::add_level_command(app, action);
+  cli::add_formats_command(app, action);
+  cli::refuse_empty_values(app);
   try {
     app.parse(argc, argv);
     if (!action) throw CLI::RequiredError("A command");
@@ -78,6 +82,7 @@ int sc_main(int argc, char** argv) {
 }
 
 int main(int argc, char** argv) {
+  if (!pyrasim::open_standard_descriptors()) return pyrasim::exit_run_failed;
   setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
   return sc_core::sc_elab_and_sim(argc, argv);
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <charconv>
 #include <iostream>
 
 #include "cli/choice.h"
 #include "cli/command.h"
+#include "cli/whole_number.h"
 #include "error.h"
 #include "json/json_file.h"
 #include "pyramid/max_level.h"
@@ -49,13 +48,10 @@ void add_leaf_option(CLI::App& command, Leaf& leaf) {
 }
 
 void add_scalar_option(CLI::App& command, std::string& scalar) {
-  std::vector<std::string> names;
-  for (const NumberFormat& format : number_formats()) names.push_back(format.name());
   command
       .add_option("--scalar", scalar,
-                  fmt::format("number format of the datapath, or of each stage: view_vectors=FORMAT,"
-                              "intersection=FORMAT; formats: {}",
-                              fmt::join(names, ", ")))
+                  "number format of the datapath, or of each stage: view_vectors=FORMAT,intersection=FORMAT; "
+                  "pyrasim formats lists them")
       ->type_name("FORMAT")
       ->capture_default_str();
 }
@@ -73,21 +69,20 @@ void print_warnings(const Scene& scene) {
 
 int parse_number(const std::string& text, int least, int most, const std::string& what) {
   int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || number < least || number > most) {
+  if (!read_whole_number(text, least, most, number)) {
     throw UsageError(fmt::format("{} {}: a whole number from {} to {} is allowed", what,
                                  text.empty() ? "(empty)" : text, least, most));
   }
   return number;
 }
 
-std::pair<int, int> parse_size(const std::string& text) {
+std::pair<int, int> parse_size(const std::string& text, const std::string& option) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) {
-    throw UsageError(fmt::format("--size {}: COLUMNSxROWS is allowed, as in 640x480", text));
+    throw UsageError(fmt::format("{} {}: COLUMNSxROWS is allowed, as in 640x480", option, text));
   }
-  return {parse_number(text.substr(0, cross), 1, max_screen_size, "--size: columns"),
-          parse_number(text.substr(cross + 1), 1, max_screen_size, "--size: rows")};
+  return {parse_number(text.substr(0, cross), 1, max_screen_size, option + ": columns"),
+          parse_number(text.substr(cross + 1), 1, max_screen_size, option + ": rows")};
 }
 
 PixelWindow parse_window(const std::string& text, const Screen& screen) {

@@ -6,11 +6,13 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/choice.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "error.h"
-#include "image/output_file.h"
+#include "files/output_file.h"
 #include "image/write_image.h"
+#include "text/utf8.h"
 #include "version.h"
 
 namespace pyrasim::cli {
@@ -21,20 +23,30 @@ std::string& stored_command_line() {
   return line;
 }
 
+/// What a shell reads between $' and ': each byte of a control character or of what is not UTF-8 as a number, so that
+/// the line is text, and stays one line, wherever it is shown.
+std::string escaped(std::string_view argument) {
+  std::string text;
+  for (std::size_t position = 0; position < argument.size();) {
+    const std::size_t begin = position;
+    const std::optional<char32_t> code_point = next_code_point(argument, position);
+    const std::string_view bytes = argument.substr(begin, position - begin);
+    if (!code_point || is_control(*code_point)) {
+      for (const char byte : bytes) text += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+    } else {
+      if (bytes == "'" || bytes == "\\") text += '\\';
+      text += bytes;
+    }
+  }
+  return text;
+}
+
 /// An argument as a shell would take it.
 std::string quoted(const std::string& argument) {
   constexpr const char* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./:,@%";
   if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) return argument;
-  std::string text = "'";
-  for (const char c : argument) {
-    if (c == '\'') {
-      text += "'\\''";
-    } else {
-      text += c;
-    }
-  }
-  text += '\'';
-  return text;
+  const std::string text = escaped(argument);
+  return text == argument ? fmt::format("'{}'", text) : fmt::format("$'{}'", text);
 }
 
 }  // namespace
@@ -49,14 +61,9 @@ void set_command_line(int argc, char** argv) {
 
 void ImageOutput::add(CLI::App& command) {
   command.add_option("-o,--output", file, "picture to write: .png or .pfm")->type_name("IMAGE");
-  command.add_option("--png-bits", format.bits, "bits a PNG sample")
-      ->check(CLI::IsMember({8, 16}).description(""))
-      ->type_name("8|16")
-      ->capture_default_str();
-  command.add_option("--png-encoding", encoding, "transfer function of a PNG, stated in the file")
-      ->check(CLI::IsMember({"srgb", "linear"}).description(""))
-      ->type_name("srgb|linear")
-      ->capture_default_str();
+  add_choice(command, "--png-bits", format.bits, {{"8", 8}, {"16", 16}}, "bits a PNG sample");
+  add_choice(command, "--png-encoding", format.srgb, {{"srgb", true}, {"linear", false}},
+             "transfer function of a PNG, stated in the file");
 }
 
 struct TextOutput::File {
@@ -87,7 +94,6 @@ struct PictureOutput::File {
 
 PictureOutput::PictureOutput(ImageOutput options) : options_(std::move(options)) {
   if (options_.file.empty()) return;
-  options_.format.srgb = options_.encoding == "srgb";
   image_file_kind(options_.file);
   file_ = std::make_unique<File>(options_.file);
 }

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <iostream>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/choice.h"
 #include "cli/command.h"
+#include "cli/frame_table.h"
 #include "cli/interrupt.h"
+#include "cli/output_plan.h"
 #include "cli/statistics_document.h"
+#include "cli/whole_number.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -26,8 +31,11 @@ struct RenderCommand {
     Method chosen = parse_method(method);
     chosen.pyramids = {parse_max_level(frame.max_level, scene.camera.screen), frame.leaf, reuse, threads};
     chosen.sampling.seed = seed;
-    const DatapathFormats formats = frame.formats(
-        scene.camera.screen, chosen.pyramid ? std::int64_t{1} << chosen.pyramids.max_level : chosen.sampling.grid);
+    const DatapathFormats formats = frame.formats(scene.camera.screen, chosen.grid_steps());
+    OutputPlan plan;
+    plan.reads("SCENE", scene.files);
+    plan.writes("-o", image.file);
+    plan.writes("--stats", stats);
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
@@ -41,6 +49,8 @@ struct RenderCommand {
                       [&] { return fmt::format("with {:.1f} % rendered", 100 * done); });
     picture.write(rendering.image);
     if (statistics) statistics->write(text_of(render_document(frame.scene, scene.camera, chosen, formats, rendering)));
+    if (!plan.writes_anything())
+      plan.table() << rendering_table(frame.scene, scene.camera, chosen, rendering.statistics);
   }
 };
 
@@ -48,7 +58,8 @@ struct RenderCommand {
 
 void add_render_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<RenderCommand>();
-  CLI::App* command = app.add_subcommand("render", "Render a frame without timing, by pyramids or by a peer.");
+  CLI::App* command = app.add_subcommand(
+      "render", "Render a frame without timing, by pyramids or by a peer; without -o and --stats, print its counts.");
   add_frame_options(*command, options->frame);
   add_window_option(*command, options->frame);
   add_scalar_option(*command, options->frame.scalar);
@@ -59,10 +70,10 @@ void add_render_command(CLI::App& app, Action& action) {
   add_choice(*command, "--reuse", options->reuse,
              {{"none", Reuse::none}, {"pixel", Reuse::pixel}, {"frame", Reuse::frame}},
              "which points are traced once only: none, a pixel's, the frame's");
-  command->add_option("--seed", options->seed, "of jitter:N")->capture_default_str();
-  command->add_option("--threads", options->threads, "0: one for each core; results do not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_whole_number(*command, "--seed", options->seed, std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max(),
+                   "of jitter:N")
+      ->default_str("1");
+  add_threads_option(*command, options->threads);
   command->add_option("--stats", options->stats, "statistics as JSON; - for stdout")->type_name("FILE|-");
   command->callback([&action, options] { action = [options] { options->run(); }; });
 }

@@ -9,7 +9,9 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/machine_options.h"
+#include "cli/output_plan.h"
 #include "cli/statistics_document.h"
+#include "cli/whole_number.h"
 #include "hw_model/report/deadlock.h"
 #include "hw_model/trace/occupancy.h"
 #include "hw_model/trace/vcd_trace.h"
@@ -38,6 +40,12 @@ struct SimulateCommand {
     options.progress = progress_bar("simulating");
     check_addressable(scene.camera.screen, options.max_level);
     options.formats = frame.formats(scene.camera.screen, std::int64_t{1} << options.max_level);
+    OutputPlan plan;
+    plan.reads("SCENE", scene.files);
+    plan.reads("--machine", machine.file);
+    plan.writes("-o", image.file);
+    plan.writes("--stats", stats);
+    plan.writes("--trace", trace, ".vcd");
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
@@ -62,8 +70,7 @@ struct SimulateCommand {
     if (vcd) vcd->write(recorder->text());
     if (statistics)
       statistics->write(text_of(simulation_document(frame.scene, scene.camera, options, processor, occupancies)));
-    (stats == "-" || trace == "-" ? std::cerr : std::cout)
-        << simulation_table(frame.scene, scene.camera, options.max_level, processor);
+    plan.table() << simulation_table(frame.scene, scene.camera, options.max_level, processor);
   }
 };
 
@@ -80,13 +87,10 @@ void add_simulate_command(CLI::App& app, Action& action) {
   add_choice(*command, "--engine", options->engine,
              {{"decoupled", hw::Engine::decoupled}, {"lockstep", hw::Engine::lockstep}},
              "decoupled is fast; lockstep is plain SystemC, with the same cycles");
-  command
-      ->add_option("--threads", options->threads,
-                   "0: one for each core; a second one traces ahead; results do not depend on it")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1024));
+  add_threads_option(*command, options->threads, "a second one traces ahead; ");
   command->add_option("--stats", options->stats, "statistics as JSON; - for stdout")->type_name("FILE|-");
-  command->add_option("--trace", options->trace, "states of units and fill of FIFOs over time")->type_name("FILE.vcd");
+  command->add_option("--trace", options->trace, "states of units and fill of FIFOs over time; - for stdout")
+      ->type_name("FILE.vcd|-");
   command->callback([&action, options] { action = [options] { options->run(); }; });
 }
 

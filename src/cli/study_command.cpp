@@ -9,6 +9,8 @@
 
 #include "cli/command.h"
 #include "cli/machine_options.h"
+#include "cli/output_plan.h"
+#include "cli/whole_number.h"
 #include "error.h"
 #include "hw_model/processor.h"
 #include "hw_model/report/deadlock.h"
@@ -42,6 +44,11 @@ struct NumericsStudy {
     check_addressable(scene.camera.screen, max_level);
     std::vector<Candidate> candidates = chosen();
     check_picture_fits(scene.camera.rendered(), physical_memory(), candidates.size());
+    OutputPlan outputs;
+    outputs.reads("SCENE", scene.files);
+    outputs.reads("--machine", machine.file);
+    outputs.writes("--csv", csv);
+    outputs.writes("--plot", plot, ".svg");
     std::optional<TextOutput> table;
     if (!csv.empty()) table.emplace(csv);
     std::optional<TextOutput> picture;
@@ -53,7 +60,7 @@ struct NumericsStudy {
       picture->write(format_plot(rows, fmt::format("{}, {}x{} pixels, MAX_LEVEL {}, against double", frame.scene,
                                                    scene.camera.screen.columns, scene.camera.screen.rows, max_level)));
     }
-    (csv == "-" || plot == "-" ? std::cerr : std::cout) << format_table(rows);
+    outputs.table() << format_table(rows);
   }
 
   /// The order of the table: floating point before fixed, then by precision, then by width.
@@ -149,9 +156,7 @@ void add_study_command(CLI::App& app, Action& action) {
   add_frame_options(*command, options->frame);
   command->add_option("--formats", options->formats, "formats to study; all without it")->type_name("FORMAT,...");
   options->machine.add(*command);
-  command->add_option("--threads", options->threads, "0: one for each core; results do not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_threads_option(*command, options->threads);
   command->add_option("--csv", options->csv, "the rows with every count as CSV; - for stdout")->type_name("FILE|-");
   command->add_option("--plot", options->plot, "changed pixels and decisions against bits; - for stdout")
       ->type_name("FILE.svg|-");

@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/machine_options.h"
+#include "cli/output_plan.h"
 #include "cli/statistics_document.h"
 #include "error.h"
 #include "hw_model/report/deadlock.h"
@@ -37,6 +38,10 @@ struct SweepCommand {
   void run() const {
     const Method peer = parse_method(reference);
     std::vector<Point> points = plan();
+    OutputPlan outputs;
+    outputs.reads("SCENE", points.front().scene.files);
+    outputs.reads("--machine", machine.file);
+    outputs.writes("--csv", csv);
     std::optional<TextOutput> table;
     if (!csv.empty()) table.emplace(csv);
     const Progress bar = progress_bar("simulating");
@@ -55,7 +60,7 @@ struct SweepCommand {
     }
     sc_core::sc_start();
     for (const Point& point : points) hw::require_finished(*point.processor);
-    report(points, peer, table);
+    report(points, peer, table, outputs.table());
   }
 
   std::vector<Point> plan() const {
@@ -96,7 +101,8 @@ struct SweepCommand {
     return list;
   }
 
-  void report(const std::vector<Point>& points, const Method& peer, std::optional<TextOutput>& table) const {
+  void report(const std::vector<Point>& points, const Method& peer, std::optional<TextOutput>& table,
+              std::ostream& stream) const {
     std::string rows =
         "columns,rows,max_level,leaf,rays_primary,rays_subdivision,rays_total,subdivisions,rmse,max_error,cycles,"
         "frames_per_second,reference,reference_rays\n";
@@ -124,7 +130,7 @@ struct SweepCommand {
     if (table) table->write(rows);
     text += fmt::format("errors: linear RGB against {}, {} rays at the last size\n", peer.name(),
                         truth.statistics.total_rays());
-    (csv == "-" ? std::cerr : std::cout) << text;
+    stream << text;
   }
 };
 

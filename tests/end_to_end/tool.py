@@ -12,7 +12,7 @@ import sys
 import tempfile
 import unittest
 
-PYRASIM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+PYRASIM, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 SCENES = SOURCE / "scenes"
 MACHINES = SOURCE / "machines"
 
