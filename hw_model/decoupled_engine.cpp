@@ -15,15 +15,17 @@ DecoupledEngine::DecoupledEngine(std::vector<Stage*> stages, Boxes boxes, const 
   for (Stage* stage : stages_) stage->attach(work_);
 }
 
-void DecoupledEngine::run(const Cycle& last) {
+void DecoupledEngine::run(const RunControl& control) {
+  constexpr unsigned rounds_to_poll = 64;
   for (Stage* stage : stages_) stage->wake();
   bool at_rest = false;
-  for (;;) {
+  for (unsigned round = 1;; ++round) {
+    if (round % rounds_to_poll == 0) control.poll();
     settle();
     const Start generator = boxes_.generator.next_start();
     const Cycle controller = controller_date();
     const Cycle first = std::min(generator.at(), controller);
-    if (first == never || first > last) {
+    if (first == never || first > control.last) {
       // Stages that wait until their FIFO is full have to be asked once more.
       if (at_rest) return;
       for (Stage* stage : stages_) stage->wake();

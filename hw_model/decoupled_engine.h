@@ -5,6 +5,7 @@
 
 #include "hw_model/intersection_unit.h"
 #include "hw_model/pixel_scan.h"
+#include "hw_model/run_control.h"
 #include "hw_model/stage.h"
 #include "hw_model/subdivision_controller.h"
 #include "hw_model/tree_accumulator.h"
@@ -34,8 +35,8 @@ class DecoupledEngine {
 
   DecoupledEngine(std::vector<Stage*> stages, Boxes boxes, const MachineSpec& spec);
 
-  /// Runs until no stage can fire, or the two that choose could only fire after `last`, which may change meanwhile.
-  void run(const Cycle& last);
+  /// Runs until no stage can fire, or the two that choose could only fire after control.last.
+  void run(const RunControl& control);
 
  private:
   void settle();

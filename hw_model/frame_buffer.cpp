@@ -5,10 +5,9 @@
 
 namespace pyrasim::hw {
 
-FrameBuffer::FrameBuffer(const sc_core::sc_module_name& name, StageTiming timing, int columns, int rows,
-                         Progress progress)
+FrameBuffer::FrameBuffer(const sc_core::sc_module_name& name, Cycle interval, int columns, int rows, Progress progress)
     : StageOf(name),
-      timing_(timing),
+      interval_(interval),
       image_(columns, rows),
       progress_(std::move(progress)),
       next_progress_(progress_ ? static_cast<std::size_t>(columns) : 0) {}
@@ -19,9 +18,13 @@ Cycle FrameBuffer::fire(Ends& ends, Cycle now) {
   ends.tree_accumulator.pop(now);
   if (++stored_ == next_progress_) {  // a row's worth
     next_progress_ += static_cast<std::size_t>(image_.columns());
-    progress_(static_cast<double>(stored_) / static_cast<double>(image_.pixels().size()));
+    report();
   }
-  return timing_.interval;
+  return interval_;
+}
+
+void FrameBuffer::report() const {
+  if (progress_) progress_(static_cast<double>(stored_) / static_cast<double>(image_.pixels().size()));
 }
 
 template class StageOf<FrameBuffer>;

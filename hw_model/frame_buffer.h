@@ -14,11 +14,14 @@ class FrameBuffer final : public StageOf<FrameBuffer> {
  public:
   FifoPort<PixelMessage> tree_accumulator{"tree_accumulator"};
 
-  FrameBuffer(const sc_core::sc_module_name& name, StageTiming timing, int columns, int rows, Progress progress);
+  /// `interval`: from a firing to the next, cycles. It has no latency: nothing waits for what it stores.
+  FrameBuffer(const sc_core::sc_module_name& name, Cycle interval, int columns, int rows, Progress progress);
 
   const Image& image() const { return image_; }
   std::size_t stored() const { return stored_; }  ///< pixels
   bool complete() const { return stored_ == image_.pixels().size(); }
+  /// Tells the progress how many pixels are stored, as happens by itself after each row's worth.
+  void report() const;
 
  private:
   friend StageOf;
@@ -29,7 +32,7 @@ class FrameBuffer final : public StageOf<FrameBuffer> {
   static Start next(Ends& ends, Cycle ready) { return Start(ready).needs_token(ends.tree_accumulator); }
   Cycle fire(Ends& ends, Cycle now);
 
-  StageTiming timing_;
+  Cycle interval_;
   Image image_;
   std::size_t stored_ = 0;
   Progress progress_;

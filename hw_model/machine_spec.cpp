@@ -60,6 +60,15 @@ void read_intersection(const JsonReader& reader, MachineSpec& spec) {
   }
 }
 
+void read_frame_buffer(const JsonReader& reader, MachineSpec& spec) {
+  if (reader.has("latency")) {
+    reader.member("latency").fail("nothing waits for what the frame buffer stores, so that it has no latency",
+                                  "remove it; allowed keys: interval");
+  }
+  reader.allow_keys({"interval"});
+  read(reader, "interval", cycles, spec.frame_buffer_interval);
+}
+
 void read_fifos(const JsonReader& reader, FifoDepths& depths) {
   const std::vector<std::pair<std::string_view, std::size_t*>> fifos{
       {"pixel_scan_to_view_vector_generator", &depths.pixel_scan_to_view_vector_generator},
@@ -99,7 +108,7 @@ MachineSpec read_machine(const std::string& file, const nlohmann::json& document
   if (const auto accumulator = read_stage(root, "tree_accumulator", spec.tree_accumulator, {"pixels"})) {
     read(*accumulator, "pixels", {1, 1'000'000}, spec.pixels_in_flight);
   }
-  read_stage(root, "frame_buffer", spec.frame_buffer);
+  if (const auto buffer = root.find("frame_buffer")) read_frame_buffer(*buffer, spec);
   if (const auto fifos = root.find("fifos")) read_fifos(*fifos, spec.fifos);
   return spec;
 }

@@ -66,7 +66,7 @@ struct MachineSpec {
   std::size_t subdivision_pool = 64;  ///< subpixels that the controller can hold for subdivision
   StageTiming tree_accumulator{.latency = 2};
   std::size_t pixels_in_flight = 256;  ///< trace trees that the accumulator can sum at once
-  StageTiming frame_buffer;
+  Cycle frame_buffer_interval = 1;
   FifoDepths fifos;
 
   /// Cycles that a frame may take at the goal's frame rate.

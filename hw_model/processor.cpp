@@ -23,8 +23,8 @@ MachineSpec checked(const MachineSpec& spec, const Scene& scene, const Simulatio
 Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, const MachineSpec& spec,
                      const SimulationOptions& options)
     : sc_module(name),
-      max_cycles_(options.max_cycles),
-      last_(options.max_cycles),
+      max_cycles_(std::min(options.max_cycles, longest_frame)),
+      control_{max_cycles_, [this] { frame_buffer_.report(); }},
       spec_(checked(spec, scene, options)),
       window_(scene.camera.rendered()),
       formats_(options.formats),
@@ -37,7 +37,8 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
       pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, scene, options.leaf,
                           options.max_level),
       tree_accumulator_("tree_accumulator", spec.tree_accumulator, spec.pixels_in_flight, options.max_level),
-      frame_buffer_("frame_buffer", spec.frame_buffer, window_.columns, window_.rows, stopping(options.progress)) {
+      frame_buffer_("frame_buffer", spec.frame_buffer_interval, window_.columns, window_.rows,
+                    stopping(options.progress)) {
   for (std::size_t k = 0; k < spec.intersection_units; ++k) {
     intersection_units_.push_back(std::make_unique<IntersectionUnit>(fmt::format("intersection_unit_{}", k).c_str(),
                                                                      spec.intersection_latency, spec.intersection_cost,
@@ -49,18 +50,17 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
   }
   bind(options.engine);
   list_omitted();
-  const sc_core::sc_time period(1e6 / spec.clock_mhz, sc_core::SC_PS);
   if (options.engine == Engine::lockstep) {
-    for (Stage* stage : stages_) stage->run_in_lockstep(period, last_);
+    for (Stage* stage : stages_) stage->run_in_lockstep(control_);
     return;
   }
   DecoupledEngine::Boxes boxes{pixel_scan_, view_vector_generator_, {}, controller_.get(), tree_accumulator_};
   for (const auto& unit : intersection_units_) boxes.units.push_back(unit.get());
   engine_ = std::make_unique<DecoupledEngine>(stages_, std::move(boxes), spec);
   sc_core::sc_spawn(
-      [this, period, threads = options.threads] {
+      [this, threads = options.threads] {
         run_decoupled(threads);
-        sc_core::wait(static_cast<double>(cycles()) * period);  // the kernel's clock shows the frame's end
+        sc_core::wait(kernel_time(cycles()));  // the kernel's clock shows the frame's end
       },
       "decoupled");
 }
@@ -72,7 +72,7 @@ void Processor::run_decoupled(int threads) {
                     intersection_units_.size() * spec_.fifos.view_vector_generator_to_intersection_unit);
   }
   for (const auto& unit : intersection_units_) unit->take_corners(corners ? &*corners : nullptr);
-  engine_->run(last_);
+  engine_->run(control_);
 }
 
 /// `progress`, heeded: the machine stops where it says so.
@@ -80,7 +80,7 @@ Progress Processor::stopping(const Progress& progress) {
   if (!progress) return {};
   return [this, progress](double share) {
     const bool go_on = progress(share);
-    if (!go_on) last_ = 0;
+    if (!go_on) control_.last = 0;
     return go_on;
   };
 }
@@ -184,6 +184,11 @@ FrameStatistics Processor::statistics() const {
     statistics.arithmetic.intersection += unit->events();
   }
   return statistics;
+}
+
+std::pair<int, int> Processor::place_of(std::uint32_t pixel) const {
+  const auto columns = static_cast<std::uint32_t>(window_.columns);
+  return {window_.row + static_cast<int>(pixel / columns), window_.column + static_cast<int>(pixel % columns)};
 }
 
 bool Processor::at_rest() const {

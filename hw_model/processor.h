@@ -13,6 +13,7 @@
 #include "hw_model/machine_spec.h"
 #include "hw_model/pixel_scan.h"
 #include "hw_model/pyramid_classifier.h"
+#include "hw_model/run_control.h"
 #include "hw_model/subdivision_controller.h"
 #include "hw_model/tree_accumulator.h"
 #include "hw_model/view_vector_generator.h"
@@ -60,6 +61,7 @@ class Processor final : public sc_core::sc_module {
   /// Whether every pixel has been stored. If not once the simulation is over, the machine is deadlocked, or was stopped
   /// at max_cycles() or by its progress. See report/deadlock.h.
   bool complete() const { return frame_buffer_.complete(); }
+  /// No frame is finished after it: options.max_cycles, or longest_frame.
   Cycle max_cycles() const { return max_cycles_; }
   const FrameBuffer& frame_buffer() const { return frame_buffer_; }
   /// Whether no stage can fire.
@@ -76,6 +78,8 @@ class Processor final : public sc_core::sc_module {
   const std::vector<FifoBase*>& fifos() const { return fifos_; }
   const std::vector<Wire>& wires() const { return wires_; }
   const Wire& wire_of(const FifoBase& fifo) const;
+  /// Row and column on the screen of a pixel that is numbered inside the window.
+  std::pair<int, int> place_of(std::uint32_t pixel) const;
   const TreeAccumulator& tree_accumulator() const { return tree_accumulator_; }
   const SceneContents& contents() const { return contents_; }
   const std::vector<OmittedUnit>& omitted() const { return omitted_; }
@@ -91,7 +95,7 @@ class Processor final : public sc_core::sc_module {
   void run_decoupled(int threads);
 
   Cycle max_cycles_;
-  Cycle last_;  ///< nothing is set off after it; at first max_cycles_
+  RunControl control_;
   MachineSpec spec_;
   PixelWindow window_;
   DatapathFormats formats_;

@@ -33,17 +33,18 @@ StageStatistics Stage::statistics(Cycle cycles) const {
   return {.busy = busy, .starved = starved_, .blocked = blocked_, .idle = idle_ + cycles - ready_, .firings = firings_};
 }
 
-void Stage::run_in_lockstep(const sc_core::sc_time& period, const Cycle& last) {
-  period_ = period;
-  sc_core::sc_spawn([this, &last] { lockstep(last); }, (std::string(basename()) + "_process").c_str());
+void Stage::run_in_lockstep(const RunControl& control) {
+  sc_core::sc_spawn([this, &control] { lockstep(control); }, (std::string(basename()) + "_process").c_str());
 }
 
-void Stage::lockstep(const Cycle& last) {
+void Stage::lockstep(const RunControl& control) {
+  constexpr unsigned steps_to_poll = 1024;
   Cycle now = 0;
-  for (;;) {
+  for (unsigned step = 1;; ++step) {
+    if (step % steps_to_poll == 0) control.poll();
     sleep();
     const Start start = next_start();
-    if (start.known() && start.at() > last) return;
+    if (start.known() && start.at() > control.last) return;
     if (start.at() == now) {
       fire_at(start);
       continue;
@@ -51,11 +52,11 @@ void Stage::lockstep(const Cycle& last) {
     if (!start.known()) {
       sc_core::wait(woken_);
     } else if (chooses_by_arrival()) {
-      sc_core::wait(static_cast<double>(start.at() - now) * period_, woken_);
+      sc_core::wait(kernel_time(start.at() - now), woken_);
     } else {
-      sc_core::wait(static_cast<double>(start.at() - now) * period_);
+      sc_core::wait(kernel_time(start.at() - now));
     }
-    now = sc_core::sc_time_stamp().value() / period_.value();
+    now = sc_core::sc_time_stamp().value();
   }
 }
 

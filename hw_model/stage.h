@@ -8,8 +8,13 @@
 
 #include "hw_model/cycle.h"
 #include "hw_model/fifo.h"
+#include "hw_model/run_control.h"
 
 namespace pyrasim::hw {
+
+/// `cycles` as the SystemC kernel counts time: one unit of its resolution each, whatever the clock, which only turns
+/// cycles into seconds. In picoseconds, a frame at 1 kHz would pass the kernel's 64 bits after 1.8e10 cycles.
+inline sc_core::sc_time kernel_time(Cycle cycles) { return sc_core::sc_time::from_value(cycles); }
 
 /// When a stage can fire next, and what decides it: the latest of its own readiness, its tokens and its cells.
 class Start {
@@ -90,9 +95,9 @@ class Stage : public sc_core::sc_module, public FifoEnd {
     sleep();  // it may have been told of preloaded tokens
   }
   void observe(StageObserver* observer) { observer_ = observer; }
-  /// Registers the process that runs this stage on the SystemC kernel, with no firing after `last`, which
-  /// may change meanwhile and has to outlive the stage; before the simulation starts.
-  void run_in_lockstep(const sc_core::sc_time& period, const Cycle& last);
+  /// Registers the process that runs this stage on the SystemC kernel, whose time counts cycles; before the simulation
+  /// starts. `control` has to outlive the stage.
+  void run_in_lockstep(const RunControl& control);
 
  protected:
   explicit Stage(const sc_core::sc_module_name& name) : sc_module(name) {}
@@ -116,7 +121,7 @@ class Stage : public sc_core::sc_module, public FifoEnd {
 
  private:
   void woken() final;
-  void lockstep(const Cycle& last);
+  void lockstep(const RunControl& control);
 
   Cycle ready_ = 0;
   std::uint64_t firings_ = 0;
@@ -126,7 +131,6 @@ class Stage : public sc_core::sc_module, public FifoEnd {
   StageObserver* observer_ = nullptr;
   WorkList* work_ = nullptr;
   sc_core::sc_event woken_;
-  sc_core::sc_time period_;
 };
 
 class WorkList {

@@ -40,7 +40,9 @@ Cycle TreeAccumulator::fire(Ends& ends, Cycle now) {
 
 void TreeAccumulator::finish(const PixelTag& tag, std::uint32_t deepest, const glm::vec3& color, Ends& ends,
                              Cycle now) {
-  latencies_[deepest].add(now + timing_.latency - tag.admitted);
+  const Cycle latency = now + timing_.latency - tag.admitted;
+  latencies_[deepest].add(latency);
+  slowest_.add({tag.pixel, deepest, latency});
   ends.frame_buffer.write_made([&] { return PixelMessage{tag.pixel, color}; }, now, timing_.latency);
   ends.pixel_scan.write({tag.slot}, now, timing_.latency);
 }

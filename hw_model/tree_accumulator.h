@@ -7,6 +7,7 @@
 #include "hw_model/latency_histogram.h"
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/slowest_pixels.h"
 #include "hw_model/stage.h"
 #include "pyramid/trace_tree.h"
 
@@ -26,6 +27,7 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
   /// deepest level of the pixel's trace tree.
   using LatencyByLevel = std::array<LatencyHistogram, max_level_limit + 1>;
   const LatencyByLevel& latencies() const { return latencies_; }
+  const SlowestPixels& slowest() const { return slowest_; }
 
  private:
   friend StageOf;
@@ -48,6 +50,7 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
   };
   std::vector<Slot> slots_;
   LatencyByLevel latencies_;
+  SlowestPixels slowest_;
 };
 
 extern template class StageOf<TreeAccumulator>;

@@ -3,133 +3,146 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/between.h"
+#include "cli/budget_search.h"
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
-#include "cli/simulate_apart.h"
 #include "cli/statistics_document.h"
-#include "error.h"
 #include "render/picture_memory.h"
 
 namespace pyrasim::cli {
 namespace {
 
-// What a machine file may say.
-constexpr std::size_t most_units = 256;
-constexpr double most_mhz = 1e6;
-
-/// A frame on a machine, as asked for or with one change.
-struct Frame {
-  Scene scene;
-  hw::MachineSpec spec;
-  hw::SimulationOptions options;
-
-  ApartResult simulate(hw::Cycle max_cycles) const {
-    hw::SimulationOptions limited = options;
-    limited.max_cycles = max_cycles;
-    return simulate_apart(scene, spec, limited);
-  }
-  /// Its cycles, where they are within the budget.
-  std::optional<hw::Cycle> cycles_within_budget() const { return simulate(spec.budget()).cycles; }
-  double fps(hw::Cycle cycles) const { return spec.clock_mhz * 1e6 / static_cast<double>(cycles); }
-};
-
-/// What became of one kind of change.
+/// What became of a change of one setting or of two.
 struct Change {
-  std::string setting;
-  std::string from;
-  std::string to;                   ///< of the smallest change that meets the budget, or of the largest that was tried
-  std::optional<hw::Cycle> cycles;  ///< none: no change of this kind is enough
-  double fps = 0;
+  struct Step {
+    std::string setting, from, to;
+  };
+  std::vector<Step> steps;  ///< to the smallest change that meets the budget, or to the largest
+  bool met;
+  FrameOutcome outcome;  ///< what capped it only where the budget is not met
+  double fps;
 };
 
-/// `frame` with a setting at `value`.
-using Vary = std::function<Frame(int value)>;
+Change change_to(const std::vector<const BudgetSetting*>& settings, const BudgetFrame& asked,
+                 const BudgetFrame& changed, bool met, const FrameOutcome& outcome) {
+  Change change{{}, met, outcome, changed.fps(outcome.cycles)};
+  for (const BudgetSetting* setting : settings) {
+    change.steps.push_back({setting->name, setting->value(asked), setting->value(changed)});
+  }
+  return change;
+}
 
-/// The first value from `from` (not enough) towards `to` whose frame meets the budget, and its cycles; by bisection, so
-/// that it is the first if every further one does too.
-std::optional<std::pair<int, hw::Cycle>> first_that_meets(int from, int to, const Vary& vary) {
-  const auto cycles_at = [&](int value) { return vary(value).cycles_within_budget(); };
-  auto cycles = cycles_at(to);
-  if (!cycles) return std::nullopt;
-  while (std::abs(to - from) > 1) {
-    const int middle = from + (to - from) / 2;
-    if (const auto found = cycles_at(middle)) {
-      to = middle;
-      cycles = found;
-    } else {
-      from = middle;
+/// The smallest change of the settings that is enough, or how far the largest one of all of them comes.
+Change change_of(const std::vector<const BudgetSetting*>& settings, const BudgetFrame& asked) {
+  const auto enough =
+      settings.size() == 1 ? smallest_change(*settings[0], asked) : smallest_pair(*settings[0], *settings[1], asked);
+  if (enough) return change_to(settings, asked, enough->frame, true, {enough->cycles, 0, false, ""});
+  BudgetFrame largest = asked;
+  for (const BudgetSetting* setting : settings) {
+    if (setting->can_change(largest)) largest = setting->with(largest, setting->largest_change);
+  }
+  return change_to(settings, asked, largest, false, simulate_frame(largest, hw::never));
+}
+
+/// What was tried.
+struct Changes {
+  std::vector<BudgetSetting> settings;
+  std::vector<Change> alone;  ///< of each setting
+  std::vector<Change> pairs;  ///< where one alone is not enough
+
+  explicit Changes(const BudgetFrame& asked) : settings(budget_settings(asked)) {
+    alone.push_back(change_of({&settings[0]}, asked));
+    // Where more units do not help, what caps them may have an interval to shorten.
+    if (!alone[0].met) {
+      if (const auto interval = interval_setting(asked, alone[0].outcome.unit)) {
+        settings.insert(settings.begin() + 1, *interval);
+      }
+    }
+    for (std::size_t k = 1; k < settings.size(); ++k) alone.push_back(change_of({&settings[k]}, asked));
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+      for (std::size_t other = k + 1; other < settings.size(); ++other) try_pair(k, other, asked);
     }
   }
-  return std::pair(to, *cycles);
-}
 
-Change change(const std::string& setting, int from, int to, const Vary& vary,
-              const std::function<std::string(int)>& name) {
-  Change change{setting, name(from), name(to), std::nullopt};
-  if (from == to) return change;
-  if (const auto found = first_that_meets(from, to, vary)) {
-    change.to = name(found->first);
-    change.cycles = found->second;
-    change.fps = vary(found->first).fps(found->second);
+  /// The one that is not enough alone comes first.
+  void try_pair(std::size_t first, std::size_t second, const BudgetFrame& asked) {
+    if (alone[first].met) std::swap(first, second);
+    if (alone[first].met || !settings[first].can_change(asked) || !settings[second].can_change(asked)) return;
+    const Change pair = change_of({&settings[first], &settings[second]}, asked);
+    const bool first_helps = !alone[second].met || pair.steps[1].to != alone[second].steps[0].to;
+    if (first_helps) pairs.push_back(pair);
   }
-  return change;
+};
+
+std::string cap_text(const FrameOutcome& outcome) {
+  const std::string unit = fmt::format("{}, busy {:.1f} %", outcome.unit, 100 * outcome.busy);
+  return outcome.closes_loop ? "the latency of a loop through " + unit : unit;
 }
 
-Change change_units(const Frame& frame) {
-  const auto units = static_cast<int>(frame.spec.intersection_units);
-  const Vary vary = [&](int value) {
-    Frame varied = frame;
-    varied.spec.intersection_units = static_cast<std::size_t>(value);
-    return varied;
-  };
-  int enough = units;  // doubling first: a machine of 256 units is slow to simulate
-  for (int next = std::min<int>(2 * units, most_units); next > enough; next = std::min<int>(2 * next, most_units)) {
-    enough = next;
-    if (vary(next).cycles_within_budget()) break;
+/// A line's beginning: one step in columns, two side by side.
+std::string steps_text(const Change& change, std::size_t name_width) {
+  if (change.steps.size() == 1) {
+    const Change::Step& step = change.steps.front();
+    return fmt::format("{:<{}}  {:>9} -> {:<9}", step.setting, name_width, step.from, step.to);
   }
-  return change("intersection.units", std::min(units, enough), enough, vary,
-                [](int value) { return std::to_string(value); });
+  std::string text;
+  for (const Change::Step& step : change.steps) {
+    text += fmt::format("{}{} {} -> {}", text.empty() ? "" : ", ", step.setting, step.from, step.to);
+  }
+  return text;
 }
 
-/// The cycles stay; the clock is simulated all the same.
-Change change_clock(const Frame& frame, hw::Cycle cycles) {
-  const double least = static_cast<double>(cycles) * frame.spec.goal_fps / 1e6;
-  Frame varied = frame;
-  varied.spec.clock_mhz = std::min(std::ceil(least), most_mhz);
-  Change change{"clock_mhz", fmt::format("{}", frame.spec.clock_mhz), fmt::format("{}", varied.spec.clock_mhz),
-                varied.cycles_within_budget()};
-  if (change.cycles) change.fps = varied.fps(*change.cycles);
-  return change;
+std::string change_lines(const std::vector<Change>& changes) {
+  std::size_t name_width = 0;
+  for (const Change& change : changes) name_width = std::max(name_width, change.steps.front().setting.size());
+  std::size_t width = 0;
+  for (const Change& change : changes) width = std::max(width, steps_text(change, name_width).size());
+  std::string text;
+  for (const Change& change : changes) {
+    text += fmt::format("  {:<{}}  {:>12} cycles  {:>8.1f} frames per second\n", steps_text(change, name_width), width,
+                        change.outcome.cycles, change.fps);
+    if (!change.met) text += fmt::format("      not enough: capped by {}\n", cap_text(change.outcome));
+  }
+  return text;
 }
 
-Change change_level(const Frame& frame) {
-  const Vary vary = [&](int value) {
-    Frame varied = frame;
-    varied.options.max_level = value;
-    return varied;
-  };
-  return change("max_level", frame.options.max_level, 0, vary, [](int value) { return std::to_string(value); });
+nlohmann::ordered_json outcome_document(const Change& change) {
+  nlohmann::ordered_json document{
+      {"met", change.met}, {"cycles", change.outcome.cycles}, {"frames_per_second", change.fps}};
+  if (!change.met) {
+    document["capped_by"] = {
+        {"unit", change.outcome.unit}, {"busy", change.outcome.busy}, {"closes_loop", change.outcome.closes_loop}};
+  }
+  return document;
 }
 
-Change change_size(const Frame& frame) {
-  const Screen& screen = frame.scene.camera.screen;
-  const auto rows = [&](int columns) {
-    return std::max(1, static_cast<int>(std::lround(static_cast<double>(columns) * screen.rows / screen.columns)));
-  };
-  const Vary vary = [&](int columns) {
-    Frame varied = frame;
-    varied.scene.camera.screen = resized(screen, columns, rows(columns));
-    return varied;
-  };
-  return change("size", screen.columns, 1, vary,
-                [&](int columns) { return fmt::format("{}x{}", columns, rows(columns)); });
+nlohmann::ordered_json step_document(const Change::Step& step) {
+  return {{"setting", step.setting}, {"from", step.from}, {"to", step.to}};
+}
+
+nlohmann::ordered_json changes_document(const std::vector<Change>& changes) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Change& change : changes) {
+    list.push_back(step_document(change.steps.front()));
+    list.back().update(outcome_document(change));
+  }
+  return list;
+}
+
+nlohmann::ordered_json pairs_document(const std::vector<Change>& pairs) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Change& pair : pairs) {
+    list.push_back({{"changes", {step_document(pair.steps[0]), step_document(pair.steps[1])}}});
+    list.back().update(outcome_document(pair));
+  }
+  return list;
 }
 
 struct BudgetCommand {
@@ -139,7 +152,7 @@ struct BudgetCommand {
   std::string stats;
 
   void run() const {
-    Frame asked{frame.load(), machine.load(), {}};
+    BudgetFrame asked{frame.load(), machine.load(), {}, {}};
     if (fps) asked.spec.goal_fps = *fps;
     const Screen& screen = asked.scene.camera.screen;
     asked.options.max_level = parse_max_level(frame.max_level, screen);
@@ -155,17 +168,19 @@ struct BudgetCommand {
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
 
-    const auto [cycles, why_unfinished] = asked.simulate(machine.max_cycles);
-    if (!cycles) throw LimitError(why_unfinished);
-    std::vector<Change> changes;
-    if (*cycles > asked.spec.budget()) {
-      changes = {change_units(asked), change_clock(asked, *cycles), change_level(asked), change_size(asked)};
-    }
+    std::optional<hw::Cycle> cycles;
+    std::optional<Changes> changes;
+    run_interruptibly(
+        [&] {
+          cycles = simulate_frame(asked, machine.max_cycles).cycles;
+          if (*cycles > asked.spec.budget()) changes.emplace(asked);
+        },
+        [&] { return cycles ? "while changes were tried" : "in the frame as asked for"; });
     if (statistics) statistics->write(text_of(document(asked, *cycles, changes)));
     plan.table() << table(asked, *cycles, changes);
   }
 
-  std::string table(const Frame& asked, hw::Cycle cycles, const std::vector<Change>& changes) const {
+  std::string table(const BudgetFrame& asked, hw::Cycle cycles, const std::optional<Changes>& changes) const {
     const Screen& screen = asked.scene.camera.screen;
     const double reached = asked.fps(cycles);
     const double goal = asked.spec.goal_fps;
@@ -173,37 +188,25 @@ struct BudgetCommand {
         "{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n{} cycles, {:.1f} frames per second\n", frame.scene,
         screen.columns, screen.rows, asked.options.max_level, asked.spec.name, cycles, reached);
     text += fmt::format("budget: {} cycles for {} frames per second, {} by {:.1f} %\n", asked.spec.budget(), goal,
-                        changes.empty() ? "met" : "missed", 100 * std::abs(reached / goal - 1));
-    if (changes.empty()) return text;
-    text += "\nthe smallest changes that meet it, each alone and simulated:\n";
-    for (const Change& change : changes) {
-      if (change.cycles) {
-        text += fmt::format("  {:<18}  {:>9} -> {:<9}  {:>12} cycles  {:>8.1f} frames per second\n", change.setting,
-                            change.from, change.to, *change.cycles, change.fps);
-      } else {
-        text += fmt::format("  {:<18}  {:>9} -> {:<9}  not enough\n", change.setting, change.from, change.to);
-      }
+                        changes ? "missed" : "met", 100 * std::abs(reached / goal - 1));
+    if (!changes) return text;
+    text += "\nthe smallest changes that meet it, each alone and simulated:\n" + change_lines(changes->alone);
+    if (!changes->pairs.empty()) {
+      text += "\nand of two together, where one alone is not enough:\n" + change_lines(changes->pairs);
     }
     return text;
   }
 
-  nlohmann::ordered_json document(const Frame& asked, hw::Cycle cycles, const std::vector<Change>& changes) const {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Change& change : changes) {
-      list.push_back({{"setting", change.setting}, {"from", change.from}, {"to", change.to}});
-      list.back()["met"] = change.cycles.has_value();
-      if (change.cycles) {
-        list.back()["cycles"] = *change.cycles;
-        list.back()["frames_per_second"] = change.fps;
-      }
-    }
+  nlohmann::ordered_json document(const BudgetFrame& asked, hw::Cycle cycles,
+                                  const std::optional<Changes>& changes) const {
     return {{"command", command_line()},
             {"scene", frame.scene},
             {"machine", asked.spec.name},
             {"cycles", cycles},
             {"frames_per_second", asked.fps(cycles)},
-            {"budget", {{"goal_fps", asked.spec.goal_fps}, {"cycles", asked.spec.budget()}, {"met", changes.empty()}}},
-            {"changes", list}};
+            {"budget", {{"goal_fps", asked.spec.goal_fps}, {"cycles", asked.spec.budget()}, {"met", !changes}}},
+            {"changes", changes_document(changes ? changes->alone : std::vector<Change>())},
+            {"pairs", pairs_document(changes ? changes->pairs : std::vector<Change>())}};
   }
 };
 
@@ -212,7 +215,8 @@ struct BudgetCommand {
 void add_budget_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<BudgetCommand>();
   CLI::App* command = app.add_subcommand(
-      "budget", "Say whether a machine meets a frame rate, and the smallest changes that make it do so.");
+      "budget",
+      "Say whether a machine meets a frame rate, and the smallest changes, alone or two together, that make it do so.");
   add_frame_options(*command, options->frame);
   add_scalar_option(*command, options->frame.scalar);
   options->machine.add(*command);

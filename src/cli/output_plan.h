@@ -24,7 +24,6 @@ class OutputPlan {
 
   /// Where the table for people goes: stdout, or stderr where an output has taken that.
   std::ostream& table() const;
-  bool stdout_taken() const { return stdout_taken_; }
   bool writes_anything() const { return !written_.empty(); }
 
  private:

@@ -143,7 +143,12 @@ ordered_json latencies_document(const hw::Processor& processor, int max_level) {
     by_level.push_back(latency_document(histogram));
     all += histogram;
   }
-  return {{"all", latency_document(all)}, {"by_level", by_level}};
+  ordered_json slowest = ordered_json::array();
+  for (const hw::FinishedPixel& pixel : processor.tree_accumulator().slowest().list()) {
+    const auto [row, column] = processor.place_of(pixel.pixel);
+    slowest.push_back({{"row", row}, {"column", column}, {"cycles", pixel.latency}, {"level", pixel.deepest}});
+  }
+  return {{"all", latency_document(all)}, {"by_level", by_level}, {"slowest", slowest}};
 }
 
 ordered_json fifos_document(const hw::Processor& processor,

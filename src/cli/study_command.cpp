@@ -2,19 +2,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 #include <memory>
+#include <optional>
 #include <systemc>
 #include <tuple>
 
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
+#include "cli/row_output.h"
+#include "cli/run_apart.h"
 #include "cli/whole_number.h"
 #include "error.h"
 #include "hw_model/processor.h"
 #include "hw_model/report/deadlock.h"
 #include "image/image_error.h"
+#include "render/method.h"
 #include "render/picture_memory.h"
 #include "study/format_plot.h"
 #include "study/format_study.h"
@@ -22,12 +26,20 @@
 namespace pyrasim::cli {
 namespace {
 
-/// A format, and the machine that renders the frame in it; none where the screen cannot be addressed.
-struct Candidate {
-  NumberFormat format;
-  std::string refused;
+/// What a frame in one format comes to, as the process that simulated it sends it.
+struct Measured {
+  std::uint64_t changed_pixels;
+  double psnr;
+  DecisionFlips flips;
+  std::uint64_t rays;
+  std::uint64_t cycles;
+  ArithmeticEvents events;
+};
+
+/// What every format is measured against: the frame in double.
+struct Reference {
+  Image image;
   std::shared_ptr<const Tracer> tracer;
-  std::unique_ptr<hw::Processor> processor;
 };
 
 struct NumericsStudy {
@@ -42,25 +54,97 @@ struct NumericsStudy {
     const Scene scene = frame.load();
     const int max_level = parse_max_level(frame.max_level, scene.camera.screen);
     check_addressable(scene.camera.screen, max_level);
-    std::vector<Candidate> candidates = chosen();
-    check_picture_fits(scene.camera.rendered(), physical_memory(), candidates.size());
-    OutputPlan outputs;
-    outputs.reads("SCENE", scene.files);
-    outputs.reads("--machine", machine.file);
-    outputs.writes("--csv", csv);
-    outputs.writes("--plot", plot, ".svg");
-    std::optional<TextOutput> table;
-    if (!csv.empty()) table.emplace(csv);
+    const std::vector<NumberFormat> list = chosen();
+    check_picture_fits(scene.camera.rendered());
+    const hw::MachineSpec spec = machine.load();
+    hw::check_machine_holds(spec, max_level, scene.camera.screen.columns);
+    OutputPlan plan;
+    plan.reads("SCENE", scene.files);
+    plan.reads("--machine", machine.file);
+    plan.writes("--csv", csv);
+    plan.writes("--plot", plot, ".svg");
+    RowOutput output(csv, plan.table());
     std::optional<TextOutput> picture;
     if (!plot.empty()) picture.emplace(plot);
-    simulate(candidates, scene, max_level);
-    const std::vector<FormatRow> rows = compare(candidates, scene, max_level);
-    if (table) table->write(format_csv(rows));
+    output.header(format_csv_header(), format_table_header());
+    const std::vector<FormatRow> rows = study(list, scene, spec, max_level, output);
+    output.finish(format_verdict(rows));
     if (picture) {
       picture->write(format_plot(rows, fmt::format("{}, {}x{} pixels, MAX_LEVEL {}, against double", frame.scene,
                                                    scene.camera.screen.columns, scene.camera.screen.rows, max_level)));
     }
-    outputs.table() << format_table(rows);
+  }
+
+  std::vector<FormatRow> study(const std::vector<NumberFormat>& list, const Scene& scene, const hw::MachineSpec& spec,
+                               int max_level, RowOutput& output) const {
+    std::vector<std::string> names;
+    names.reserve(list.size());
+    for (const NumberFormat& format : list) names.push_back(format.name());
+    std::optional<Reference> reference;
+    std::vector<FormatRow> rows;
+    make_rows(names, [&](std::size_t k) {
+      if (!reference) reference = make_reference(scene, max_level);
+      FormatRow row;
+      row.format = list[k];
+      if (!can_address(list[k], scene, max_level)) {
+        row.refused = "cannot address the screen";
+      } else {
+        const Progress bar = progress_bar(fmt::format("simulating {} of {}", k + 1, list.size()));
+        const Measured measured =
+            run_apart_for("its simulation", [&] { return measure(list[k], scene, spec, max_level, *reference, bar); });
+        row.changed_pixels = measured.changed_pixels;
+        row.psnr = measured.psnr;
+        row.flips = measured.flips;
+        row.rays = measured.rays;
+        row.cycles = measured.cycles;
+        row.events = measured.events;
+      }
+      output.row(format_csv_row(row), format_table_row(row));
+      rows.push_back(row);
+    });
+    return rows;
+  }
+
+  /// The renderer's picture, which is the machine's bit for bit.
+  Reference make_reference(const Scene& scene, int max_level) const {
+    Method pyramids;
+    pyramids.pyramids = {.max_level = max_level, .leaf = frame.leaf};
+    Reference reference{render(scene, pyramids, {}, threads, progress_bar("rendering in double")).image,
+                        make_tracer(scene)};
+    stop_if_interrupted();
+    return reference;
+  }
+
+  static bool can_address(const NumberFormat& format, const Scene& scene, int max_level) {
+    try {
+      check_addressing({format, format}, scene.camera.screen, std::int64_t{1} << max_level);
+      return true;
+    } catch (const UsageError&) {
+      return false;
+    }
+  }
+
+  Measured measure(const NumberFormat& format, const Scene& scene, const hw::MachineSpec& spec, int max_level,
+                   const Reference& reference, const Progress& progress) const {
+    hw::SimulationOptions options;
+    options.max_level = max_level;
+    options.leaf = frame.leaf;
+    options.formats = {format, format};
+    options.max_cycles = machine.max_cycles;
+    options.progress = progress;
+    options.tracer = make_tracer(scene, format);
+    hw::Processor processor("processor", scene, spec, options);
+    sc_core::sc_start();
+    hw::require_finished(processor);
+    const FrameStatistics statistics = processor.statistics();
+    ArithmeticEvents events = statistics.arithmetic.view_vectors;
+    events += statistics.arithmetic.intersection;
+    return {changed_pixels(processor.image(), reference.image),
+            psnr(processor.image(), reference.image),
+            decision_flips(scene, {*reference.tracer, {}}, {*options.tracer, format}, max_level, threads),
+            statistics.total_rays(),
+            processor.cycles(),
+            events};
   }
 
   /// The order of the table: floating point before fixed, then by precision, then by width.
@@ -73,12 +157,10 @@ struct NumericsStudy {
   }
 
   /// Double first: what the others are measured against.
-  std::vector<Candidate> chosen() const {
-    std::vector<Candidate> candidates(1);
+  std::vector<NumberFormat> chosen() const {
+    std::vector<NumberFormat> list(1);
     const auto add = [&](const NumberFormat& format) {
-      const auto is_it = [&](const Candidate& candidate) { return candidate.format == format; };
-      if (std::none_of(candidates.begin(), candidates.end(), is_it))
-        candidates.push_back({format, {}, nullptr, nullptr});
+      if (std::find(list.begin(), list.end(), format) == list.end()) list.push_back(format);
     };
     if (formats.empty()) {
       std::vector<NumberFormat> all = number_formats();
@@ -87,58 +169,7 @@ struct NumericsStudy {
     } else {
       for (const std::string& name : split(formats, ',')) add(parse_number_format(name));
     }
-    return candidates;
-  }
-
-  void simulate(std::vector<Candidate>& candidates, const Scene& scene, int max_level) const {
-    const Progress bar = progress_bar("simulating");
-    const hw::MachineSpec spec = machine.load();
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      hw::SimulationOptions options;
-      options.max_level = max_level;
-      options.leaf = frame.leaf;
-      options.formats = {candidates[k].format, candidates[k].format};
-      options.max_cycles = machine.max_cycles;
-      options.progress = [bar, k, all = candidates.size()](double share) {
-        return bar((static_cast<double>(k) + share) / static_cast<double>(all));
-      };
-      try {
-        check_addressing(options.formats, scene.camera.screen, std::int64_t{1} << max_level);
-      } catch (const UsageError& error) {
-        candidates[k].refused = "cannot address the screen";
-        continue;
-      }
-      candidates[k].tracer = options.tracer = make_tracer(scene, candidates[k].format);
-      candidates[k].processor =
-          std::make_unique<hw::Processor>(fmt::format("format_{}", k).c_str(), scene, spec, options);
-    }
-    sc_core::sc_start();
-    for (const Candidate& candidate : candidates) {
-      if (candidate.processor) hw::require_finished(*candidate.processor);
-    }
-  }
-
-  std::vector<FormatRow> compare(const std::vector<Candidate>& candidates, const Scene& scene, int max_level) const {
-    const Progress bar = progress_bar("comparing");
-    const hw::Processor& reference = *candidates.front().processor;
-    const Tracer& exact = *candidates.front().tracer;
-    std::vector<FormatRow> rows;
-    for (const Candidate& candidate : candidates) {
-      FormatRow& row = rows.emplace_back();
-      row.format = candidate.format;
-      row.refused = candidate.refused;
-      bar(static_cast<double>(rows.size()) / static_cast<double>(candidates.size()));
-      if (!candidate.processor) continue;
-      const FrameStatistics statistics = candidate.processor->statistics();
-      row.changed_pixels = changed_pixels(candidate.processor->image(), reference.image());
-      row.psnr = psnr(candidate.processor->image(), reference.image());
-      row.flips = decision_flips(scene, {exact, {}}, {*candidate.tracer, candidate.format}, max_level, threads);
-      row.rays = statistics.total_rays();
-      row.cycles = candidate.processor->cycles();
-      row.events = statistics.arithmetic.view_vectors;
-      row.events += statistics.arithmetic.intersection;
-    }
-    return rows;
+    return list;
   }
 };
 
@@ -152,7 +183,9 @@ void add_study_command(CLI::App& app, Action& action) {
   });
   auto options = std::make_shared<NumericsStudy>();
   CLI::App* command =
-      study->add_subcommand("numerics", "Simulate a frame in every number format and measure each against double.");
+      study->add_subcommand("numerics",
+                            "Simulate a frame in every number format and measure each against double; a row is "
+                            "written as soon as it is done.");
   add_frame_options(*command, options->frame);
   command->add_option("--formats", options->formats, "formats to study; all without it")->type_name("FORMAT,...");
   options->machine.add(*command);

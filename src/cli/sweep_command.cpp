@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <iostream>
 #include <memory>
+#include <optional>
 #include <systemc>
 
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
+#include "cli/row_output.h"
+#include "cli/run_apart.h"
 #include "cli/statistics_document.h"
 #include "error.h"
 #include "hw_model/report/deadlock.h"
 #include "image/image_error.h"
+#include "render/picture_memory.h"
 #include "scene/load_scene.h"
 
 namespace pyrasim::cli {
@@ -19,11 +23,20 @@ namespace {
 
 /// One row of the sweep.
 struct Point {
-  Scene scene;  ///< on this point's screen
+  Screen screen;
   int max_level;
   Leaf leaf;
-  std::shared_ptr<const Tracer> tracer;  ///< shared by the points of one size
-  std::unique_ptr<hw::Processor> processor;
+
+  const char* leaf_name() const { return leaf == Leaf::mean ? "mean" : "drop"; }
+  std::string size() const { return fmt::format("{}x{}", screen.columns, screen.rows); }
+  std::string name() const { return fmt::format("{} pixels, MAX_LEVEL {}, leaf {}", size(), max_level, leaf_name()); }
+};
+
+/// What the points of one screen share.
+struct Shared {
+  Scene scene;
+  std::shared_ptr<const Tracer> tracer;
+  Rendering truth;  ///< by the reference
 };
 
 struct SweepCommand {
@@ -37,49 +50,89 @@ struct SweepCommand {
 
   void run() const {
     const Method peer = parse_method(reference);
-    std::vector<Point> points = plan();
-    OutputPlan outputs;
-    outputs.reads("SCENE", points.front().scene.files);
-    outputs.reads("--machine", machine.file);
-    outputs.writes("--csv", csv);
-    std::optional<TextOutput> table;
-    if (!csv.empty()) table.emplace(csv);
-    const Progress bar = progress_bar("simulating");
-    const hw::MachineSpec spec = machine.load();
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      hw::SimulationOptions options;
-      options.max_level = points[k].max_level;
-      options.leaf = points[k].leaf;
-      options.tracer = points[k].tracer;
-      options.max_cycles = machine.max_cycles;
-      options.progress = [bar, k, all = points.size()](double share) {
-        return bar((static_cast<double>(k) + share) / static_cast<double>(all));
-      };
-      points[k].processor =
-          std::make_unique<hw::Processor>(fmt::format("point_{}", k).c_str(), points[k].scene, spec, options);
-    }
-    sc_core::sc_start();
-    for (const Point& point : points) hw::require_finished(*point.processor);
-    report(points, peer, table, outputs.table());
-  }
-
-  std::vector<Point> plan() const {
     const Scene loaded = load_scene(scene);
     print_warnings(loaded);
+    const std::vector<Point> points = plan(loaded.camera.screen);
+    const hw::MachineSpec spec = machine.load();
+    std::vector<std::string> names;
+    for (const Point& point : points) {
+      check_addressable(point.screen, point.max_level);
+      check_picture_fits({0, 0, point.screen.columns, point.screen.rows});
+      hw::check_machine_holds(spec, point.max_level, point.screen.columns);
+      names.push_back(point.name());
+    }
+    OutputPlan outputs;
+    outputs.reads("SCENE", loaded.files);
+    outputs.reads("--machine", machine.file);
+    outputs.writes("--csv", csv);
+    RowOutput output(csv, outputs.table());
+    output.header(
+        "columns,rows,max_level,leaf,rays_primary,rays_subdivision,rays_total,subdivisions,rmse,max_error,cycles,"
+        "frames_per_second,reference,reference_rays\n",
+        fmt::format("{:>11} {:>5} {:>4} {:>12} {:>12} {:>10} {:>10} {:>12} {:>9}\n", "size", "level", "leaf", "rays",
+                    "subdivisions", "RMSE", "max error", "cycles", "fps"));
+    std::optional<Shared> shared;
+    make_rows(names, [&](std::size_t k) {
+      const Screen& screen = points[k].screen;
+      if (k == 0 || screen.columns != points[k - 1].screen.columns || screen.rows != points[k - 1].screen.rows) {
+        shared.reset();
+        shared = prepare(loaded, screen, peer);
+      }
+      const std::string counted = fmt::format("simulating {} of {}", k + 1, points.size());
+      const std::string lines =
+          run_apart("its simulation", [&] { return simulate(points[k], *shared, spec, peer, progress_bar(counted)); });
+      const std::size_t end = lines.find('\n') + 1;
+      output.row(lines.substr(0, end), lines.substr(end));
+    });
+    output.finish(fmt::format("errors: linear RGB against {}, {} rays at the last size\n", peer.name(),
+                              shared->truth.statistics.total_rays()));
+  }
+
+  static Shared prepare(const Scene& loaded, const Screen& screen, const Method& peer) {
+    Shared shared{loaded, nullptr, {}};
+    shared.scene.camera.screen = screen;
+    shared.tracer = make_tracer(shared.scene);
+    shared.truth = render(shared.scene, peer, {}, 0, progress_bar("reference"));
+    stop_if_interrupted();
+    return shared;
+  }
+
+  /// The point's lines: as CSV, and for people.
+  std::string simulate(const Point& point, const Shared& shared, const hw::MachineSpec& spec, const Method& peer,
+                       const Progress& progress) const {
+    hw::SimulationOptions options;
+    options.max_level = point.max_level;
+    options.leaf = point.leaf;
+    options.tracer = shared.tracer;
+    options.max_cycles = machine.max_cycles;
+    options.progress = progress;
+    hw::Processor processor("processor", shared.scene, spec, options);
+    sc_core::sc_start();
+    hw::require_finished(processor);
+    const ImageError error = image_error(processor.image(), shared.truth.image);
+    const FrameStatistics frame = processor.statistics();
+    return fmt::format("{},{},{},{},{},{},{},{},{:.9g},{:.9g},{},{:.9g},{},{}\n", point.screen.columns,
+                       point.screen.rows, point.max_level, point.leaf_name(), frame.primary_rays(),
+                       frame.subdivision_rays_traced(), frame.total_rays(), frame.subdivisions, error.rmse,
+                       error.maximum, processor.cycles(), frames_per_second(processor), peer.name(),
+                       shared.truth.statistics.total_rays()) +
+           fmt::format("{:>11} {:>5} {:>4} {:>12} {:>12} {:>10.3e} {:>10.3e} {:>12} {:>9.1f}\n", point.size(),
+                       point.max_level, point.leaf_name(), frame.total_rays(), frame.subdivisions, error.rmse,
+                       error.maximum, processor.cycles(), frames_per_second(processor));
+  }
+
+  std::vector<Point> plan(const Screen& screen) const {
     std::vector<Point> points;
     for (const std::string& size : split(sizes, ',')) {
-      Scene resized_scene = loaded;
+      Screen asked = screen;
       if (!sizes.empty()) {
         const auto [columns, rows] = parse_size(size);
-        resized_scene.camera.screen = resized(loaded.camera.screen, columns, rows);
+        asked = resized(screen, columns, rows);
       }
-      const std::shared_ptr<const Tracer> tracer = make_tracer(resized_scene);
       for (const std::string& leaf : split(leaves, ',')) {
         if (leaf != "mean" && leaf != "drop") throw UsageError("--leaf " + leaf + ": mean and drop are allowed");
-        for (const int level : parse_levels()) {
-          check_addressable(resized_scene.camera.screen, level);
-          points.push_back({resized_scene, level, leaf == "mean" ? Leaf::mean : Leaf::drop, tracer, nullptr});
-        }
+        for (const int level : parse_levels())
+          points.push_back({asked, level, leaf == "mean" ? Leaf::mean : Leaf::drop});
       }
     }
     return points;
@@ -100,38 +153,6 @@ struct SweepCommand {
     for (int level = first; level <= last; ++level) list.push_back(level);
     return list;
   }
-
-  void report(const std::vector<Point>& points, const Method& peer, std::optional<TextOutput>& table,
-              std::ostream& stream) const {
-    std::string rows =
-        "columns,rows,max_level,leaf,rays_primary,rays_subdivision,rays_total,subdivisions,rmse,max_error,cycles,"
-        "frames_per_second,reference,reference_rays\n";
-    std::string text = fmt::format("{:>11} {:>5} {:>4} {:>12} {:>12} {:>10} {:>10} {:>12} {:>9}\n", "size", "level",
-                                   "leaf", "rays", "subdivisions", "RMSE", "max error", "cycles", "fps");
-    Rendering truth;
-    for (const Point& point : points) {
-      const hw::Processor& processor = *point.processor;
-      const Image& image = processor.image();
-      if (truth.image.columns() != image.columns() || truth.image.rows() != image.rows()) {
-        truth = render(point.scene, peer, {}, 0, progress_bar("reference"));
-      }
-      const ImageError error = image_error(image, truth.image);
-      const FrameStatistics frame = processor.statistics();
-      const char* leaf = point.leaf == Leaf::mean ? "mean" : "drop";
-      rows += fmt::format("{},{},{},{},{},{},{},{},{:.9g},{:.9g},{},{:.9g},{},{}\n", image.columns(), image.rows(),
-                          point.max_level, leaf, frame.primary_rays(), frame.subdivision_rays_traced(),
-                          frame.total_rays(), frame.subdivisions, error.rmse, error.maximum, processor.cycles(),
-                          frames_per_second(processor), peer.name(), truth.statistics.total_rays());
-      text +=
-          fmt::format("{:>11} {:>5} {:>4} {:>12} {:>12} {:>10.3e} {:>10.3e} {:>12} {:>9.1f}\n",
-                      fmt::format("{}x{}", image.columns(), image.rows()), point.max_level, leaf, frame.total_rays(),
-                      frame.subdivisions, error.rmse, error.maximum, processor.cycles(), frames_per_second(processor));
-    }
-    if (table) table->write(rows);
-    text += fmt::format("errors: linear RGB against {}, {} rays at the last size\n", peer.name(),
-                        truth.statistics.total_rays());
-    stream << text;
-  }
 };
 
 }  // namespace
@@ -139,7 +160,9 @@ struct SweepCommand {
 void add_sweep_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<SweepCommand>();
   CLI::App* command = app.add_subcommand(
-      "sweep", "Simulate every combination of level, size and leaf, and measure each against a reference.");
+      "sweep",
+      "Simulate every combination of level, size and leaf, and measure each against a reference; a row is written as "
+      "soon as it is done.");
   command->add_option("SCENE", options->scene, "scene file (JSON)")->required();
   command->add_option("--max-level", options->levels, "levels")->type_name("FIRST:LAST|L,L,...")->capture_default_str();
   command->add_option("--size", options->sizes, "screens; the scene's without it")->type_name("COLUMNSxROWS,...");

@@ -69,10 +69,17 @@ void OutputFile::write(std::string_view bytes) {
   if (buffer_.size() >= buffer_bytes) flush();
 }
 
-void OutputFile::commit() {
-  assert(descriptor_ >= 0 && "committed twice");
-  flush();
-  if (!direct_) {
+void OutputFile::publish() {
+  assert(descriptor_ >= 0 && "published after commit");
+  const std::size_t published = written_;
+  try {
+    flush();
+  } catch (const RunError&) {
+    if (named_ && !direct_) [[maybe_unused]]
+      const int ignored = ftruncate(descriptor_, static_cast<off_t>(published));
+    throw;
+  }
+  if (!direct_ && !named_) {
     if (temporary_.empty()) {
       temporary_ = with_temporary_name(folder_of(target_), [this](const char* name) {
         return linkat(AT_FDCWD, descriptor_name(descriptor_).c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
@@ -82,6 +89,11 @@ void OutputFile::commit() {
     if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     temporary_.clear();
   }
+  named_ = true;
+}
+
+void OutputFile::commit() {
+  publish();
   const int descriptor = std::exchange(descriptor_, -1);
   if (::close(descriptor) != 0) fail(errno);
 }
@@ -118,7 +130,9 @@ void OutputFile::flush() {
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
     if (written < 0 && errno != EINTR) fail(errno);
-    if (written > 0) rest.remove_prefix(static_cast<std::size_t>(written));
+    if (written <= 0) continue;
+    rest.remove_prefix(static_cast<std::size_t>(written));
+    written_ += static_cast<std::size_t>(written);
   }
   buffer_.clear();
 }

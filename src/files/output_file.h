@@ -12,7 +12,8 @@ namespace pyrasim {
 /// What is written goes to a nameless or temporary file in the same folder; commit() gives it its name, replacing what
 /// stood there. Without commit() nothing changes. A symbolic link stays, and its target is written, also one that does
 /// not exist yet. A device or a pipe (`/dev/null`) is written to directly, and so is what an open descriptor leads to
-/// (`/dev/stdout`, `/dev/fd/3`): behind what it has written, as its opener wants.
+/// (`/dev/stdout`, `/dev/fd/3`): behind what it has written, as its opener wants. A file whose
+/// parts are each complete gets its name with the first of them: publish().
 class OutputFile {
  public:
   /// Opens the output, so that one that cannot be written is known before the work begins.
@@ -24,6 +25,11 @@ class OutputFile {
 
   /// Appends `bytes`. Throws RunError, as the constructor does.
   void write(std::string_view bytes);
+
+  /// Gives the file its name with all that has been written so far, which is complete in itself; more may follow, and
+  /// appears with the next call. Where that fails the file ends with what was published before. Throws RunError, as the
+  /// constructor does.
+  void publish();
 
   /// Completes the file; nothing may be written afterwards. Throws RunError, as the constructor does.
   void commit();
@@ -45,6 +51,8 @@ class OutputFile {
   std::string buffer_;
   int descriptor_ = -1;
   bool direct_ = false;
+  bool named_ = false;       // published
+  std::size_t written_ = 0;  // bytes that have left the buffer
 };
 
 }  // namespace pyrasim

@@ -38,43 +38,43 @@ std::optional<NumberFormat> smallest_unchanged(const std::vector<FormatRow>& row
   return smallest;
 }
 
-std::string format_table(const std::vector<FormatRow>& rows) {
-  std::string text =
-      fmt::format("{:>9} {:>4} {:>7} {:>9} {:>9} {:>7} {:>7} {:>7} {:>9} {:>10} {:>10}\n", "format", "bits", "",
-                  "changed", "flipped", "extra", "lost", "PSNR dB", "rays", "cycles", "saturated");
-  for (const FormatRow& row : rows) {
-    text += fmt::format("{:>9} {:>4} {:>7} ", row.format.name(), row.format.bits, widths(row.format));
-    if (!row.usable()) {
-      text += fmt::format("{}\n", row.refused);
-      continue;
-    }
-    text += fmt::format("{:>9} {:>9} {:>7} {:>7} {:>7} {:>9} {:>10} {:>10}\n", row.changed_pixels, row.flips.flipped,
-                        row.flips.extra_subdivisions, row.flips.lost_subdivisions, decibels(row.psnr), row.rays,
-                        row.cycles, row.counts_events() ? fmt::format("{}", row.events.saturations) : "-");
-  }
-  return text + "the smallest format that leaves every pixel of the 8-bit picture as in double:\n" +
-         verdict(rows, false) + verdict(rows, true);
+std::string format_table_header() {
+  return fmt::format("{:>9} {:>4} {:>7} {:>9} {:>9} {:>7} {:>7} {:>7} {:>9} {:>10} {:>10}\n", "format", "bits", "",
+                     "changed", "flipped", "extra", "lost", "PSNR dB", "rays", "cycles", "saturated");
 }
 
-std::string format_csv(const std::vector<FormatRow>& rows) {
-  std::string text =
-      "format,bits,exponent_bits,significand_bits,fraction_bits,changed_pixels,decisions,flipped,extra_subdivisions,"
-      "lost_subdivisions,psnr,rays,cycles,saturations,underflows,inexact,divisions_by_zero,invalid\n";
-  for (const FormatRow& row : rows) {
-    const NumberFormat& format = row.format;
-    text += fmt::format("{},{},{},{},{},", format.name(), format.bits, format.exponent_bits, format.significand_bits,
-                        format.fraction_bits);
-    if (!row.usable()) {
-      text += ",,,,,,,,,,,,\n";
-      continue;
-    }
-    text += fmt::format("{},{},{},{},{},{},{},{},", row.changed_pixels, row.flips.decisions, row.flips.flipped,
-                        row.flips.extra_subdivisions, row.flips.lost_subdivisions, row.psnr, row.rays, row.cycles);
-    text += row.counts_events() ? fmt::format("{},{},{},{},{}\n", row.events.saturations, row.events.underflows,
-                                              row.events.inexact, row.events.divisions_by_zero, row.events.invalid)
-                                : ",,,,\n";
-  }
-  return text;
+std::string format_table_row(const FormatRow& row) {
+  const std::string name = fmt::format("{:>9} {:>4} {:>7} ", row.format.name(), row.format.bits, widths(row.format));
+  if (!row.usable()) return name + row.refused + "\n";
+  return name + fmt::format("{:>9} {:>9} {:>7} {:>7} {:>7} {:>9} {:>10} {:>10}\n", row.changed_pixels,
+                            row.flips.flipped, row.flips.extra_subdivisions, row.flips.lost_subdivisions,
+                            decibels(row.psnr), row.rays, row.cycles,
+                            row.counts_events() ? fmt::format("{}", row.events.saturations) : "-");
+}
+
+std::string format_verdict(const std::vector<FormatRow>& rows) {
+  return "the smallest format that leaves every pixel of the 8-bit picture as in double:\n" + verdict(rows, false) +
+         verdict(rows, true);
+}
+
+std::string format_csv_header() {
+  return "format,bits,exponent_bits,significand_bits,fraction_bits,changed_pixels,decisions,flipped,extra_subdivisions,"
+         "lost_subdivisions,psnr,rays,cycles,saturations,underflows,inexact,divisions_by_zero,invalid\n";
+}
+
+std::string format_csv_row(const FormatRow& row) {
+  const NumberFormat& format = row.format;
+  const std::string name = fmt::format("{},{},{},{},{},", format.name(), format.bits, format.exponent_bits,
+                                       format.significand_bits, format.fraction_bits);
+  if (!row.usable()) return name + ",,,,,,,,,,,,\n";
+  const std::string events = row.counts_events()
+                                 ? fmt::format("{},{},{},{},{}\n", row.events.saturations, row.events.underflows,
+                                               row.events.inexact, row.events.divisions_by_zero, row.events.invalid)
+                                 : ",,,,\n";
+  return name +
+         fmt::format("{},{},{},{},{},{},{},{},", row.changed_pixels, row.flips.decisions, row.flips.flipped,
+                     row.flips.extra_subdivisions, row.flips.lost_subdivisions, row.psnr, row.rays, row.cycles) +
+         events;
 }
 
 }  // namespace pyrasim

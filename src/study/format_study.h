@@ -34,9 +34,12 @@ struct FormatRow {
 /// of the kind does.
 std::optional<NumberFormat> smallest_unchanged(const std::vector<FormatRow>& rows, bool fixed);
 
-/// A line for each row, and one for the smallest formats.
-std::string format_table(const std::vector<FormatRow>& rows);
+/// The table for people: its first line, a row, and what it comes to.
+std::string format_table_header();
+std::string format_table_row(const FormatRow& row);
+std::string format_verdict(const std::vector<FormatRow>& rows);
 /// The same with every count, as comma-separated values.
-std::string format_csv(const std::vector<FormatRow>& rows);
+std::string format_csv_header();
+std::string format_csv_row(const FormatRow& row);
 
 }  // namespace pyrasim

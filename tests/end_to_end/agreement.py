@@ -76,7 +76,7 @@ class Agreement(tool.EndToEnd):
                     "intersection.cost.box_test": 0, "intersection.cost.triangle": 1, "pixel_scan.interval": 13,
                     "view_vector_generator.latency": 1, "view_vector_generator.interval": 2,
                     "pyramid_classifier.latency": 40, "pyramid_classifier.interval": 2, "tree_accumulator.latency": 1,
-                    "tree_accumulator.interval": 5, "frame_buffer.latency": 40, "frame_buffer.interval": 13,
+                    "tree_accumulator.interval": 5, "frame_buffer.interval": 13,
                     "tree_accumulator.pixels": 2, "fifos.all": 1, "fifos.pixel_scan_to_view_vector_generator": 2,
                     "fifos.intersection_unit_to_pyramid_classifier": 3,
                     "fifos.pyramid_classifier_to_tree_accumulator": 9, "fifos.tree_accumulator_to_frame_buffer": 3}),

@@ -206,6 +206,33 @@ class Commands(tool.EndToEnd):
         self.assertIn("machine wide with 16 intersection units at 200 MHz",
                       self.ok("check", tool.MACHINES / "wide.json"))
 
+    def test_like_units_are_one_line_of_the_table(self):
+        for units in (1, 2, 16):
+            simulate = ["simulate", KEEL, "--size", "64x48", "--set", f"intersection.units={units}"]
+            table, document = self.ok(*simulate), self.stats(*simulate)
+            lines = [line for line in table.splitlines() if line.startswith("intersection_unit")]
+            self.assertEqual(len(lines), 1, table)
+            alike = [unit for unit in document["units"] if unit["name"].startswith("intersection_unit_")]
+            self.assertEqual(len(alike), units)
+            name = "intersection_unit_0" if units == 1 else f"intersection_units 0-{units - 1}"
+            shares = []
+            for part in ("busy", "starved", "blocked", "idle"):
+                percent = sorted(100 * unit[part] / document["machine"]["cycles"] for unit in alike)
+                least, most = f"{percent[0]:.1f}", f"{percent[-1]:.1f}"
+                shares.append(f"{most} %" if least == most else f"{least}-{most} %")
+            self.assertEqual(re.split(r" {2,}", lines[0]), [name, *shares])
+
+    def test_the_table_names_the_slowest_pixels(self):
+        simulate = ["simulate", KEEL, "--size", "64x48", "--window", "20,10,40,30"]
+        table, document = self.ok(*simulate), self.stats(*simulate)
+        found = re.findall(r"(?m)^(?:slowest)? +([\d,]+)   cycles at row (\d+), column (\d+); level (\d+)$", table)
+        self.assertEqual([[int(number.replace(",", "")) for number in line] for line in found],
+                         [[pixel[key] for key in ("cycles", "row", "column", "level")]
+                          for pixel in document["pixel_latency"]["slowest"]])
+        self.assertEqual(len(found), 5)
+        for _, row, column, _ in found:
+            self.assertTrue(10 <= int(row) < 40 and 20 <= int(column) < 60)
+
     def test_compare(self):
         self.ok("render", KEEL, "--size", "100x80", "--max-level", "0", "-o", "a.pfm")
         self.ok("render", KEEL, "--size", "100x80", "--max-level", "4", "-o", "b.pfm")

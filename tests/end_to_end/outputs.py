@@ -48,7 +48,7 @@ class Outputs(tool.EndToEnd):
                               ["--help"], ["--version"]):
                 run = self.run_tool(*arguments, stdout=full)
                 self.assertEqual(run.returncode, RUN_FAILED, arguments)
-                self.assertEqual(run.stderr, "pyrasim: stdout: cannot write\n", arguments)
+                self.assertTrue(run.stderr.endswith("stdout: cannot write\n"), run.stderr)
         self.refused(RUN_FAILED, "render", self.scene, "--stats", "/dev/full", says="/dev/full: cannot write")
 
     def test_closed_pipe(self):

@@ -85,7 +85,7 @@ class Schemas(tool.EndToEnd):
                 yield path, node
 
         found = list(settings(document, []))
-        self.assertEqual(len(found), 34)
+        self.assertEqual(len(found), 33)
         for path, node in found:
             def file_with(value, path=path):
                 nested = value
@@ -111,7 +111,8 @@ class Schemas(tool.EndToEnd):
                                   (default["intersection"]["cost"], costs)]:
             for key in value:
                 self.assertEqual(value[key], properties[key]["default"], key)
-        for name in ("pixel_scan", "view_vector_generator", "pyramid_classifier", "frame_buffer"):
+        self.assertEqual(default["frame_buffer"], {"interval": validator["properties"]["frame_buffer"]["properties"]["interval"]["default"]})
+        for name in ("pixel_scan", "view_vector_generator", "pyramid_classifier"):
             self.assertEqual(set(default[name]) - {"corner_row"}, {"latency", "interval"})
             text = "Defaults: latency {latency}, interval {interval}.".format(**default[name])
             self.assertIn(text, validator["properties"][name]["description"])

@@ -4,6 +4,7 @@
 import csv
 import io
 import math
+import os
 import re
 import struct
 import xml.etree.ElementTree
@@ -11,6 +12,7 @@ import xml.etree.ElementTree
 import tool
 from tool import LIMIT, SCENES, USAGE
 
+TOO_LARGE = 24 * 65535**2 > os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
 FRAME = [SCENES / "spheres.json", "--size", "40x30", "--max-level", "2"]
 
 
@@ -69,10 +71,25 @@ class Study(tool.EndToEnd):
     def test_usage(self):
         self.refused(USAGE, "study", says="numerics")
         self.refused(USAGE, "study", "colours", says="colours")
-        self.refused(LIMIT, "study", "numerics", SCENES / "fins.json", "--size", "20000x20000", "--max-level", "0",
-                     says="pictures of 20000x20000 pixels take")
+        if TOO_LARGE:
+            self.refused(LIMIT, "study", "numerics", SCENES / "fins.json", "--size", "65535x65535", "--max-level", "0",
+                     says="a picture of 65535x65535 pixels takes 96.0 GiB")
         self.refused(USAGE, "study", "numerics", says="is required")
         self.refused(USAGE, "study", "numerics", *FRAME, "--formats", "fp24,half", says="half")
+
+    def test_a_failure_keeps_the_rows_that_are_done(self):
+        """fix24.12 takes longer than the formats before it."""
+        arguments = ["study", "numerics", *FRAME, "--formats", "fp24,fix24.12,fp16"]
+        whole = self.run_tool(*arguments, "--csv", "-").stdout
+        rows = list(csv.DictReader(io.StringIO(whole)))
+        limit = int(rows[2]["cycles"]) - 1
+        self.assertGreater(limit, max(int(row["cycles"]) for row in rows[:2]))
+        run = self.run_tool(*arguments, "--csv", "out.csv", "--plot", "out.svg", "--max-cycles", limit)
+        self.assertEqual(run.returncode, LIMIT)
+        self.assertRegex(run.stderr, r"\Apyrasim: fix24\.12 \(2 of 4 rows done\): the frame is not finished within ")
+        self.assertEqual(len(run.stdout.splitlines()), 1 + 2)
+        self.assertEqual((self.folder / "out.csv").read_text().splitlines(), whole.splitlines()[:3])
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["out.csv"])
 
 
 tool.main()

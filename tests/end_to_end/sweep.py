@@ -3,6 +3,10 @@
 
 import csv
 import io
+import os
+import resource
+import signal
+import subprocess
 
 import tool
 from tool import SCENES
@@ -62,6 +66,54 @@ class Sweep(tool.EndToEnd):
         self.assertIn("RMSE", text)
         self.assertEqual((self.folder / "out.csv").read_text(), self.run_tool("sweep", KEEL, *arguments, "--csv",
                                                                               "-").stdout)
+
+    def test_a_failure_keeps_the_rows_that_are_done(self):
+        """The point is named, and how far the sweep came; the CSV file and stdout have the rows before it."""
+        arguments = ["sweep", KEEL, "--max-level", "0,1,3,2", "--size", "32x24", "--reference", "point"]
+        whole = self.run_tool(*arguments, "--csv", "-").stdout
+        cycles = sorted(int(row["cycles"]) for row in csv.DictReader(io.StringIO(whole)))
+        limit = ["--max-cycles", cycles[-1] - 1]  # MAX_LEVEL 3 takes longest
+        says = r"\Apyrasim: 32x24 pixels, MAX_LEVEL 3, leaf mean \(2 of 4 rows done\): the frame is not finished within "
+        self.write("out.csv", "old")
+        for name in ("new.csv", "out.csv"):
+            run = self.run_tool(*arguments, *limit, "--csv", name)
+            self.assertEqual(run.returncode, tool.LIMIT)
+            self.assertRegex(run.stderr, says)
+            self.assertEqual(len(run.stdout.splitlines()), 1 + 2)
+            self.assertEqual((self.folder / name).read_text().splitlines(), whole.splitlines()[:3])
+        run = self.run_tool(*arguments, *limit, "--csv", "-")
+        self.assertEqual((run.returncode, run.stdout.splitlines()), (tool.LIMIT, whole.splitlines()[:3]))
+
+    def test_what_can_be_known_before_is_refused_before(self):
+        """Of the last point too; the old file stays."""
+        self.write("out.csv", "old")
+        sweep = ["sweep", KEEL, "--reference", "point", "--csv", "out.csv"]
+        self.refused(tool.INPUT, *sweep, "--max-level", "0:4", "--set", "subdivision_controller.pool=9",
+                     says="/subdivision_controller/pool: 9 cannot hold one pixel's tree at MAX_LEVEL 4")
+        self.refused(tool.INPUT, *sweep, "--max-level", "0", "--size", "8x6,64x48", "--set",
+                     "pyramid_classifier.corner_row=10", says="/pyramid_classifier/corner_row: 10 cannot hold")
+        size = 65535
+        if 24 * size * size > os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"):
+            self.refused(tool.LIMIT, *sweep, "--max-level", "0", "--size", f"8x6,{size}x{size}",
+                         says=f"a picture of {size}x{size} pixels takes 96.0 GiB of memory")
+        self.assertEqual((self.folder / "out.csv").read_text(), "old")
+
+    def test_a_file_that_cannot_grow_holds_whole_rows(self):
+        """The limit on a file's size, as a full disk: the row that does not fit is not begun."""
+        arguments = ["sweep", str(KEEL), "--max-level", "0:5", "--size", "16x12", "--reference", "point", "--csv"]
+        whole = self.run_tool(*arguments, "-").stdout
+        rows = whole.splitlines(keepends=True)
+        limit = len("".join(rows[:4])) + 5  # bytes: in the fourth row of numbers
+
+        def limited():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        run = subprocess.run([tool.PYRASIM, *arguments, "out.csv"], preexec_fn=limited, cwd=self.folder, text=True,
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        self.assertEqual(run.returncode, tool.RUN_FAILED, run.stderr)
+        self.assertRegex(run.stderr, r"\Apyrasim: 16x12 pixels, MAX_LEVEL 3, leaf mean \(3 of 6 rows done\): "
+                                     r"out\.csv: cannot write: File too large\n\Z")
+        self.assertEqual((self.folder / "out.csv").read_text(), "".join(rows[:4]))
 
 
 tool.main()

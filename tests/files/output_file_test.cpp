@@ -53,6 +53,27 @@ TEST_F(OutputFileTest, keeps_the_old_file_until_committed) {
   EXPECT_EQ(entries(), 1);
 }
 
+TEST_F(OutputFileTest, published_parts_are_there_before_the_commit_and_stay_without_it) {
+  for (const bool replaces : {false, true}) {
+    const auto name = in_folder(replaces ? "old.txt" : "new.txt");
+    if (replaces) put(name, "old");
+    {
+      OutputFile file(name);
+      file.write("one\n");
+      EXPECT_EQ(std::filesystem::exists(name), replaces);
+      file.publish();
+      EXPECT_EQ(contents(name), "one\n");
+      file.write("two\n");
+      EXPECT_EQ(contents(name), "one\n");
+      file.publish();
+      EXPECT_EQ(contents(name), "one\ntwo\n");
+      file.write("three\n");
+    }
+    EXPECT_EQ(contents(name), "one\ntwo\n");
+  }
+  EXPECT_EQ(entries(), 2);
+}
+
 TEST_F(OutputFileTest, replaced_file_keeps_its_permissions) {
   put(in_folder("a.txt"), "old");
   std::filesystem::permissions(in_folder("a.txt"), std::filesystem::perms(0640));

@@ -352,7 +352,7 @@ struct FrameBuffer final : Box {
     if (!board.pixels.readable(now)) return 0;
     board.pixels.read(now);
     --missing;
-    return board.spec.frame_buffer.interval;
+    return board.spec.frame_buffer_interval;
   }
 };
 

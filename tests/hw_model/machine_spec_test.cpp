@@ -48,7 +48,7 @@ TEST_F(LoadMachine, EveryKeyOfAFile) {
     "pyramid_classifier": {"latency": 12, "interval": 13},
     "subdivision_controller": {"latency": 14, "interval": 15, "pool": 16},
     "tree_accumulator": {"latency": 17, "interval": 18, "pixels": 19},
-    "frame_buffer": {"latency": 20, "interval": 21},
+    "frame_buffer": {"interval": 21},
     "fifos": {"all": 22, "tree_accumulator_to_frame_buffer": 23}})"));
   EXPECT_EQ(spec.name, "test");
   EXPECT_EQ(spec.budget(), 2'000'000U);
@@ -69,8 +69,7 @@ TEST_F(LoadMachine, EveryKeyOfAFile) {
   EXPECT_EQ(spec.tree_accumulator.latency, 17U);
   EXPECT_EQ(spec.tree_accumulator.interval, 18U);
   EXPECT_EQ(spec.pixels_in_flight, 19U);
-  EXPECT_EQ(spec.frame_buffer.latency, 20U);
-  EXPECT_EQ(spec.frame_buffer.interval, 21U);
+  EXPECT_EQ(spec.frame_buffer_interval, 21U);
   EXPECT_EQ(spec.fifos.pixel_scan_to_view_vector_generator, 22U);
   EXPECT_EQ(spec.fifos.tree_accumulator_to_frame_buffer, 23U);  // its own number goes before that for all
 }
@@ -80,6 +79,8 @@ TEST_F(LoadMachine, NameIsTheFilesWhereItSaysNone) { EXPECT_EQ(load_machine(writ
 TEST_F(LoadMachine, ErrorsNameFileAndPointer) {
   EXPECT_TRUE(starts_with(error(R"({"clock": 5})"), "machine.json: /clock: ")) << error(R"({"clock": 5})");
   EXPECT_TRUE(starts_with(error(R"({"frame_buffer": {"delay": 5}})"), "machine.json: /frame_buffer/delay: "));
+  EXPECT_TRUE(starts_with(error(R"({"frame_buffer": {"latency": 1}})"),
+                          "machine.json: /frame_buffer/latency: nothing waits for what the frame buffer stores"));
   EXPECT_TRUE(
       starts_with(error(R"({"intersection": {"cost": {"cone": 1}}})"), "machine.json: /intersection/cost/cone: "));
   EXPECT_TRUE(starts_with(error(R"({"intersection": {"units": 0}})"), "machine.json: /intersection/units: "));
@@ -104,7 +105,7 @@ TEST_F(LoadMachine, OverridesGoOverTheFile) {
   EXPECT_EQ(spec.intersection_units, 6U);  // the last word
   EXPECT_EQ(spec.intersection_latency, 9U);
   EXPECT_EQ(spec.fifos.pyramid_classifier_to_tree_accumulator, 2U);
-  EXPECT_EQ(spec.frame_buffer.interval, 7U);
+  EXPECT_EQ(spec.frame_buffer_interval, 7U);
   EXPECT_EQ(load_machine(std::nullopt, {"tree_accumulator.pixels=1"}).pixels_in_flight, 1U);
 }
 

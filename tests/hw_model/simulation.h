@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -88,6 +89,8 @@ inline void expect_same_time(const Processor& a, const Processor& b) {
     EXPECT_EQ(x.idle, y.idle) << name;
     EXPECT_EQ(x.firings, y.firings) << name;
   }
+  const auto slowest = [](const Processor& machine) { return machine.tree_accumulator().slowest().list(); };
+  EXPECT_TRUE(std::equal(slowest(a).begin(), slowest(a).end(), slowest(b).begin(), slowest(b).end())) << a.name();
   ASSERT_EQ(a.fifos().size(), b.fifos().size());
   for (std::size_t k = 0; k < a.fifos().size(); ++k) {
     const FifoStatistics& x = a.fifos()[k]->statistics();

@@ -38,7 +38,7 @@ TEST(FrameLatency, OfOnePixelByHand) {
   longer.intersection_latency += 20;
   longer.pyramid_classifier.latency += 40;
   longer.tree_accumulator.latency += 80;
-  longer.frame_buffer.interval += 7;
+  longer.frame_buffer_interval += 7;
   const Processor& slow = simulation.add(scene, longer, at_level(0));
   simulation.run();
   EXPECT_EQ(four.cycles(), 21U);

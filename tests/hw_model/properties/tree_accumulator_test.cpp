@@ -69,7 +69,7 @@ TEST(TreeAccumulator, WaitsForRoomAndWritesTheCycleAfterTheRead) {
   std::vector<Frame> frames;
   for (const std::size_t depth : {2, 3, 5}) {
     frames.push_back({empty_scene(6, 4, 1), quick_machine()});
-    frames.back().spec.frame_buffer.interval = 7;
+    frames.back().spec.frame_buffer_interval = 7;
     frames.back().spec.fifos.tree_accumulator_to_frame_buffer = depth;
   }
   for (const Dated& frame : dates_of(frames)) {

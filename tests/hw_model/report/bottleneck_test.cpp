@@ -71,7 +71,7 @@ TEST(BottleneckChain, EndsAtTheStageThatIsSlow) {
       {"pyramid_classifier", [](MachineSpec& spec) { spec.pyramid_classifier.interval = slow; }},
       {"subdivision_controller", [](MachineSpec& spec) { spec.subdivision_controller.interval = 200; }},
       {"tree_accumulator", [](MachineSpec& spec) { spec.tree_accumulator.interval = slow; }},
-      {"frame_buffer", [](MachineSpec& spec) { spec.frame_buffer.interval = 500; }}};
+      {"frame_buffer", [](MachineSpec& spec) { spec.frame_buffer_interval = 500; }}};
   Simulation simulation;
   std::vector<const Processor*> machines;
   for (const auto& [unit, change] : cases) {

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/budget_search.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "cli/run_apart.h"
+#include "hw_model/report/bottleneck.h"
+#include "hw_model/report/deadlock.h"
+
+namespace pyrasim::cli {
+namespace {
+
+// What a machine file may say.
+constexpr int most_units = 256;
+constexpr int most_mhz = 1'000'000;
+
+std::string name_of(const BudgetFrame& frame) {
+  std::vector<std::string> changes;
+  for (const auto& [setting, value] : frame.changed) changes.push_back(fmt::format("{} {}", setting, value));
+  return changes.empty() ? "the simulation" : fmt::format("the simulation with {}", fmt::join(changes, ", "));
+}
+
+/// The frame's cycles where it keeps to its budget.
+std::optional<hw::Cycle> cycles_within_budget(const BudgetFrame& frame) {
+  return run_apart_for(name_of(frame), [&] {
+    hw::SimulationOptions limited = frame.options;
+    limited.max_cycles = frame.spec.budget();
+    hw::Processor processor("processor", frame.scene, frame.spec, limited);
+    sc_core::sc_start();
+    const bool met = processor.complete() && processor.cycles() <= limited.max_cycles;
+    return met ? std::optional(processor.cycles()) : std::nullopt;
+  });
+}
+
+/// The clock changes no cycles, so that one simulation tells which one is needed.
+std::optional<EnoughChange> smallest_clock(const BudgetSetting& clock, const BudgetFrame& frame) {
+  const auto cycles = cycles_within_budget(clock.with(frame, clock.largest_change));
+  if (!cycles) return std::nullopt;
+  const double least = std::ceil(static_cast<double>(*cycles) * frame.spec.goal_fps / 1e6);
+  BudgetFrame changed = clock.with(frame, static_cast<int>(std::min<double>(least, clock.largest_change)));
+  return EnoughChange{std::move(changed), *cycles};
+}
+
+BudgetSetting units_setting() {
+  return {.name = "intersection.units",
+          .largest_change = most_units,
+          .get = [](const BudgetFrame& frame) { return static_cast<int>(frame.spec.intersection_units); },
+          .set = [](BudgetFrame& frame, int value) { frame.spec.intersection_units = static_cast<std::size_t>(value); },
+          .value = [](const BudgetFrame& frame) { return std::to_string(frame.spec.intersection_units); },
+          .doubles = true};
+}
+
+BudgetSetting clock_setting() {
+  return {.name = "clock_mhz",
+          .largest_change = most_mhz,
+          .get = [](const BudgetFrame& frame) { return static_cast<int>(frame.spec.clock_mhz); },
+          .set = [](BudgetFrame& frame, int value) { frame.spec.clock_mhz = value; },
+          .value = [](const BudgetFrame& frame) { return fmt::format("{}", frame.spec.clock_mhz); },
+          .keeps_cycles = true};
+}
+
+BudgetSetting level_setting() {
+  return {.name = "max_level",
+          .largest_change = 0,
+          .get = [](const BudgetFrame& frame) { return frame.options.max_level; },
+          .set = [](BudgetFrame& frame, int value) { frame.options.max_level = value; },
+          .value = [](const BudgetFrame& frame) { return std::to_string(frame.options.max_level); }};
+}
+
+/// By the screen's columns; the rows follow.
+BudgetSetting size_setting(const Screen& asked) {
+  const auto set = [asked](BudgetFrame& frame, int columns) {
+    const auto rows = std::lround(static_cast<double>(columns) * asked.rows / asked.columns);
+    frame.scene.camera.screen = resized(asked, columns, std::max(1, static_cast<int>(rows)));
+  };
+  const auto value = [](const BudgetFrame& frame) {
+    return fmt::format("{}x{}", frame.scene.camera.screen.columns, frame.scene.camera.screen.rows);
+  };
+  return {.name = "size",
+          .largest_change = 1,
+          .get = [](const BudgetFrame& frame) { return frame.scene.camera.screen.columns; },
+          .set = set,
+          .value = value};
+}
+
+/// The stages that have an interval, by name.
+hw::Cycle* interval_of(hw::MachineSpec& spec, const std::string& unit) {
+  const std::array<std::pair<const char*, hw::Cycle*>, 6> intervals{
+      {{"pixel_scan", &spec.pixel_scan.interval},
+       {"view_vector_generator", &spec.view_vector_generator.interval},
+       {"pyramid_classifier", &spec.pyramid_classifier.interval},
+       {"subdivision_controller", &spec.subdivision_controller.interval},
+       {"tree_accumulator", &spec.tree_accumulator.interval},
+       {"frame_buffer", &spec.frame_buffer_interval}}};
+  for (const auto& [name, interval] : intervals) {
+    if (unit == name) return interval;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+FrameOutcome simulate_frame(const BudgetFrame& frame, hw::Cycle max_cycles) {
+  std::istringstream text(run_apart(name_of(frame), [&] {
+    hw::SimulationOptions limited = frame.options;
+    limited.max_cycles = max_cycles;
+    hw::Processor processor("processor", frame.scene, frame.spec, limited);
+    sc_core::sc_start();
+    hw::require_finished(processor);
+    const std::vector<hw::BottleneckLink> chain = hw::bottleneck_chain(processor);
+    const hw::BottleneckLink& end = chain.back();
+    const bool closes_loop = std::any_of(chain.begin(), chain.end() - 1,
+                                         [&](const hw::BottleneckLink& link) { return link.unit == end.unit; });
+    return fmt::format("{} {} {:d} {}", processor.cycles(), end.busy, closes_loop, end.unit);
+  }));
+  FrameOutcome outcome;
+  text >> outcome.cycles >> outcome.busy >> outcome.closes_loop >> outcome.unit;
+  return outcome;
+}
+
+BudgetFrame BudgetSetting::with(BudgetFrame frame, int value_of_it) const {
+  set(frame, value_of_it);
+  frame.changed[name] = value(frame);
+  return frame;
+}
+
+std::vector<BudgetSetting> budget_settings(const BudgetFrame& frame) {
+  return {units_setting(), clock_setting(), level_setting(), size_setting(frame.scene.camera.screen)};
+}
+
+std::optional<BudgetSetting> interval_setting(const BudgetFrame& frame, const std::string& unit) {
+  BudgetFrame copy = frame;
+  const hw::Cycle* interval = interval_of(copy.spec, unit);
+  if (interval == nullptr || *interval == 1) return std::nullopt;
+  const auto get = [unit](const BudgetFrame& of) {
+    hw::MachineSpec spec = of.spec;
+    return static_cast<int>(*interval_of(spec, unit));
+  };
+  return BudgetSetting{
+      .name = unit + ".interval",
+      .largest_change = 1,
+      .get = get,
+      .set = [unit](BudgetFrame& of, int value) { *interval_of(of.spec, unit) = static_cast<hw::Cycle>(value); },
+      .value = [get](const BudgetFrame& of) { return std::to_string(get(of)); }};
+}
+
+std::optional<EnoughChange> smallest_change(const BudgetSetting& setting, const BudgetFrame& frame) {
+  if (!setting.can_change(frame)) return std::nullopt;
+  if (setting.keeps_cycles) return smallest_clock(setting, frame);
+  int from = setting.get(frame);
+  int to = setting.doubles ? std::min(2 * from, setting.largest_change) : setting.largest_change;
+  const auto cycles_at = [&](int value) { return cycles_within_budget(setting.with(frame, value)); };
+  std::optional<hw::Cycle> cycles = cycles_at(to);
+  while (!cycles && to != setting.largest_change) {
+    from = to;
+    to = std::min(2 * from, setting.largest_change);
+    cycles = cycles_at(to);
+  }
+  if (!cycles) return std::nullopt;
+  while (std::abs(to - from) > 1) {
+    const int middle = from + (to - from) / 2;
+    if (const auto found = cycles_at(middle)) {
+      to = middle;
+      cycles = found;
+    } else {
+      from = middle;
+    }
+  }
+  return EnoughChange{setting.with(frame, to), *cycles};
+}
+
+std::optional<EnoughChange> smallest_pair(const BudgetSetting& first, const BudgetSetting& second,
+                                          const BudgetFrame& frame) {
+  const auto beside_largest = smallest_change(second, first.with(frame, first.largest_change));
+  if (!beside_largest) return std::nullopt;
+  return smallest_change(first, second.with(frame, second.get(beside_largest->frame)));
+}
+
+}  // namespace pyrasim::cli

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which changes make a frame meet its budget: of one setting, and of two together. All of them are simulated, each in a
+// process of its own.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hw_model/machine_spec.h"
+#include "hw_model/processor.h"
+
+namespace pyrasim::cli {
+
+/// A frame on a machine, as asked for or with some settings changed.
+struct BudgetFrame {
+  Scene scene;
+  hw::MachineSpec spec;
+  hw::SimulationOptions options;
+  std::map<std::string, std::string> changed;  ///< settings and their values, to name the frame by
+
+  double fps(hw::Cycle cycles) const { return spec.clock_mhz * 1e6 / static_cast<double>(cycles); }
+};
+
+/// How a frame went, and what kept it from being faster: the end of its bottleneck chain (hw_model/report).
+struct FrameOutcome {
+  hw::Cycle cycles;
+  double busy;       ///< share of the cycles in which the unit worked
+  bool closes_loop;  ///< the unit waits for itself, all the way round: a latency is the cause
+  std::string unit;
+};
+
+/// Throws LimitError where the frame is not finished within `max_cycles`.
+FrameOutcome simulate_frame(const BudgetFrame& frame, hw::Cycle max_cycles);
+
+/// A setting that can be changed for speed, in steps of 1.
+struct BudgetSetting {
+  std::string name;
+  int largest_change;  ///< the value beyond which it cannot be changed
+  std::function<int(const BudgetFrame&)> get;
+  std::function<void(BudgetFrame&, int)> set;
+  std::function<std::string(const BudgetFrame&)> value;  ///< for people
+  bool doubles = false;       ///< try twice as much first: the largest change is slow to simulate
+  bool keeps_cycles = false;  ///< it makes cycles shorter, not fewer
+
+  BudgetFrame with(BudgetFrame frame, int value) const;
+  bool can_change(const BudgetFrame& frame) const { return get(frame) != largest_change; }
+};
+
+/// Units, clock, MAX_LEVEL and size.
+std::vector<BudgetSetting> budget_settings(const BudgetFrame& frame);
+/// The initiation interval of a stage of the machine; none where `unit` is no stage that has one above 1.
+std::optional<BudgetSetting> interval_setting(const BudgetFrame& frame, const std::string& unit);
+
+/// A change that meets the budget.
+struct EnoughChange {
+  BudgetFrame frame;
+  hw::Cycle cycles;
+};
+
+/// The smallest change of `setting` with which `frame`, which misses its budget, meets it; none where no change of it
+/// is enough. By bisection: the smallest if every larger one is enough too.
+std::optional<EnoughChange> smallest_change(const BudgetSetting& setting, const BudgetFrame& frame);
+
+/// Of two settings: the smallest change of `second` that is enough beside the largest of `first`, and then the smallest
+/// of `first` that is enough beside that. None where both are not enough at their largest.
+std::optional<EnoughChange> smallest_pair(const BudgetSetting& first, const BudgetSetting& second,
+                                          const BudgetFrame& frame);
+
+}  // namespace pyrasim::cli

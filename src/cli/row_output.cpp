@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/row_output.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "cli/interrupt.h"
+#include "cli/run_apart.h"
+#include "error.h"
+#include "files/output_file.h"
+
+namespace pyrasim::cli {
+namespace {
+
+void print(std::ostream& stream, const std::string& text) {
+  stream << text << std::flush;
+  if (!stream) throw RunError("stdout: cannot write");
+}
+
+}  // namespace
+
+struct RowOutput::File {
+  explicit File(const std::string& name) : output(name) {}
+  OutputFile output;
+};
+
+RowOutput::RowOutput(const std::string& csv_file, std::ostream& table)
+    : csv_on_stdout_(csv_file == "-"), table_(table) {
+  if (!csv_file.empty() && !csv_on_stdout_) file_ = std::make_unique<File>(csv_file);
+}
+RowOutput::~RowOutput() = default;
+
+void RowOutput::header(const std::string& csv, const std::string& table) {
+  csv_header_ = csv;
+  print(table_, table);
+}
+
+void RowOutput::row(const std::string& csv, const std::string& table) {
+  if (csv_on_stdout_) print(std::cout, csv_header_ + csv);
+  if (file_) {
+    file_->output.write(csv_header_ + csv);
+    file_->output.publish();
+  }
+  csv_header_.clear();
+  print(table_, table);
+}
+
+void RowOutput::finish(const std::string& text) {
+  if (file_) file_->output.commit();
+  print(table_, text);
+}
+
+void make_rows(const std::vector<std::string>& names, const std::function<void(std::size_t)>& make_row) {
+  std::size_t done = 0;
+  const auto make_all = [&] {
+    for (; done < names.size(); ++done) {
+      stop_if_interrupted();
+      make_row(done);
+    }
+  };
+  const auto how_far = [&] {
+    return fmt::format("with {} of {} rows done{}", done, names.size(),
+                       done < names.size() ? ", in " + names[done] : "");
+  };
+  try {
+    run_interruptibly(make_all, how_far);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error& error) {
+    throw_error(error.exit_code(),
+                fmt::format("{} ({} of {} rows done): {}", names[done], done, names.size(), error.what()));
+  } catch (const std::bad_alloc&) {
+    throw RunError(fmt::format("{} ({} of {} rows done): out of memory", names[done], done, names.size()));
+  }
+}
+
+}  // namespace pyrasim::cli

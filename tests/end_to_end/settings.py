@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every setting of a machine file moves something in what simulate reports."""
+
+import json
+
+import tool
+from tool import INPUT, SOURCE
+
+SCENE = tool.scene(
+    [{"type": "sphere", "center": [10, 1, 0], "radius": 2, "color": [1, 0.5, 0.25]},
+     {"type": "sphere", "center": [9, -1, 1], "radius": 1, "color": [0, 0.5, 0.25]},
+     {"type": "plane", "normal": [0, 1, 0], "offset": -2, "color": [0.5, 0.5, 0.5]},
+     {"type": "triangle", "vertices": [[8, 0, -3], [8, 3, -1], [11, -1, 3]], "color": [0, 0, 1]}],
+    columns=24, rows=18)
+
+# What a setting needs beside it to matter.
+BESIDE = {"intersection.reorder_buffer": ['intersection.dispatch="first_free"'],
+          "fifos.tree_accumulator_to_frame_buffer": ["frame_buffer.interval=20"]}
+LEAST = {"subdivision_controller.pool": 7}  # that MAX_LEVEL 3 takes
+STEP = 7
+# A size that is there or not: the frame that does not fit is refused, no other is changed.
+SIZES = {"pyramid_classifier.corner_row": 24 + 2}
+
+
+def settings():
+    """Every setting of the schema: its path, and two of its values."""
+    document = json.loads((SOURCE / "docs" / "schemas" / "machine.schema.json").read_text())
+
+    def leaves(node, path):
+        node = {**document["$defs"].get(node.get("$ref", "").rpartition("/")[2], {}), **node}
+        if "properties" not in node:
+            yield ".".join(path), node
+        for key, child in node.get("properties", {}).items():
+            yield from leaves(child, path + [key])
+
+    for path, node in leaves(document, []):
+        if "enum" in node:
+            yield path, [json.dumps(value) for value in node["enum"][:2]]
+        elif node["type"] == "string":
+            yield path, ['"one"', '"other"']
+        else:
+            least = LEAST.get(path, node["minimum"])
+            yield path, [least, least + STEP]
+
+
+class Settings(tool.EndToEnd):
+    def report(self, path, value):
+        """Without what only repeats the setting."""
+        sets = [word for setting in (*BESIDE.get(path, []), f"{path}={value}") for word in ("--set", setting)]
+        document = self.stats("simulate", self.write("scene.json", SCENE), "--max-level", 3, *sets)
+        del document["command"]
+        for fifo in document["fifos"]:
+            del fifo["depth"]
+        for key in ("clock_mhz", "budget"):
+            if path != "goal_fps":
+                del document["machine"][key]
+        return document
+
+    def test_each_moves_something(self):
+        found = dict(settings())
+        self.assertGreaterEqual(len(found), 35)
+        for path, (one, other) in found.items():
+            with self.subTest(setting=path):
+                if path in SIZES:
+                    continue
+                self.assertNotEqual(self.report(path, one), self.report(path, other))
+
+    def test_sizes_refuse_what_does_not_fit(self):
+        scene = self.write("scene.json", SCENE)
+        for path, least in SIZES.items():
+            file = {}
+            node = file
+            *groups, key = path.split(".")
+            for group in groups:
+                node = node.setdefault(group, {})
+            node[key] = least
+            self.ok("simulate", scene, "--machine", self.write("machine.json", file))
+            node[key] = least - 1
+            self.refused(INPUT, "simulate", scene, "--machine", self.write("machine.json", file),
+                         says=f"/{path.replace('.', '/')}: {least - 1} cannot hold")
+
+    def test_a_frame_buffer_has_no_latency(self):
+        file = self.write("machine.json", {"frame_buffer": {"latency": 1}})
+        says = "/frame_buffer/latency: nothing waits for what the frame buffer stores, so that it has no latency; remove it"
+        self.refused(INPUT, "check", file, says=says)
+        self.refused(tool.USAGE, "simulate", self.write("scene.json", SCENE), "--set", "frame_buffer.latency=3", says=says)
+
+
+tool.main()

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tools/run's options: what it makes for a size, and its help. What it builds with is replaced: the program is there."""
+
+import shutil
+import struct
+import subprocess
+
+import tool
+from tool import SCENES, SOURCE
+
+
+class ToolsRun(tool.EndToEnd):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "tools").mkdir()
+        (self.folder / "build" / "release").mkdir(parents=True)
+        shutil.copy(SOURCE / "tools" / "run", self.folder / "tools" / "run")
+        self.write("tools/build", "#!/bin/sh\ntouch built\n").chmod(0o755)
+        (self.folder / "build" / "release" / "pyrasim").symlink_to(tool.PYRASIM)
+        (self.folder / "scenes").symlink_to(SCENES)
+
+    def start(self, *options):
+        return subprocess.run([self.folder / "tools" / "run", *options], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True, timeout=120, check=False)
+
+    def size_of(self, name):
+        return struct.unpack(">II", (self.folder / "out" / name).read_bytes()[16:24])
+
+    def test_every_picture_has_the_size_asked_for(self):
+        for options, size in (((), (640, 480)), (("--size", "320x240"), (320, 240)), (("--size=100x80",), (100, 80)),
+                              (("--size", "30x20", "--max-level", "1"), (30, 20)),
+                              (("--size", "900x600", "--window", "500,300,90,70"), (90, 70)),
+                              (("--window", "0,0,1,1", "--set", "intersection.units=2"), (1, 1))):
+            run = self.start(*options)
+            self.assertEqual((run.returncode, run.stderr), (0, ""), options)
+            self.assertEqual((self.size_of("keel.png"), self.size_of("keel_point.png")), (size, size), options)
+            self.assertGreater(min(self.size_of("keel_crop.png")), 0)
+            self.assertIn("keel_crop.png", run.stdout)
+        self.assertIn("--set intersection.units=2", (self.folder / "out" / "keel.stats.json").read_text())
+
+    def test_help_builds_nothing(self):
+        for option in ("--help", "-h"):
+            run = self.start(option)
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertTrue(run.stdout.startswith("Usage: tools/run [--size COLUMNSxROWS]"), run.stdout)
+            self.assertIn("keel_crop.png", run.stdout)
+            self.assertNotIn("#", run.stdout)
+        self.assertFalse((self.folder / "built").exists())
+
+    def test_mistakes(self):
+        for options in (("-o", "x.png"), ("--stats=x.json",)):
+            run = self.start(*options)
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+            self.assertIn("tools/run: ", run.stderr)
+        for options in (("--size",), ("--size", "0x0"), ("--paint",)):
+            run = self.start(*options)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn("--", run.stderr)
+
+
+tool.main()
