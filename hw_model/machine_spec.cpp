@@ -9,6 +9,7 @@
 #include "json/json_file.h"
 #include "json/json_override.h"
 #include "json/json_reader.h"
+#include "text/printable.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -88,6 +89,8 @@ void read_fifos(const JsonReader& reader, FifoDepths& depths) {
   }
 }
 
+}  // namespace
+
 MachineSpec read_machine(const std::string& file, const nlohmann::json& document) {
   MachineSpec spec;
   const JsonReader root(file, document);
@@ -113,8 +116,6 @@ MachineSpec read_machine(const std::string& file, const nlohmann::json& document
   return spec;
 }
 
-}  // namespace
-
 MachineSpec load_machine(const std::optional<std::filesystem::path>& file, const std::vector<std::string>& overrides) {
   const std::string name = file ? file->string() : "default";
   nlohmann::json document = file ? read_json_file(*file) : nlohmann::json::object();
@@ -134,13 +135,13 @@ void check_machine_holds(const MachineSpec& spec, int max_level, int columns) {
     throw InputError(fmt::format(
         "machine {}: /subdivision_controller/pool: {} cannot hold one pixel's tree at MAX_LEVEL {}; at least {} = 3 "
         "({} - 1) + 1 is needed, or a lower MAX_LEVEL",
-        spec.name, spec.subdivision_pool, max_level, required, max_level));
+        excerpt(spec.name), spec.subdivision_pool, max_level, required, max_level));
   }
   if (spec.corner_row < static_cast<std::size_t>(columns) + 2) {
     throw InputError(fmt::format(
         "machine {}: /pyramid_classifier/corner_row: {} cannot hold a row of corners and one more; at least {} = {} + "
         "2 is needed, or fewer columns",
-        spec.name, spec.corner_row, columns + 2, columns));
+        excerpt(spec.name), spec.corner_row, columns + 2, columns));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,6 +80,9 @@ struct MachineSpec {
 constexpr std::size_t required_pool(int max_level) {
   return max_level < 2 ? 0 : 3 * (static_cast<std::size_t>(max_level) - 1) + 1;
 }
+
+/// Reads a machine file's `document`; `file` is its name in messages. Throws InputError with the JSON pointer.
+MachineSpec read_machine(const std::string& file, const nlohmann::json& document);
 
 /// Reads `file`, or takes the default machine where there is none, applies `overrides` ("intersection.units=4", as
 /// --set gives them), and validates. Throws InputError for the file (with the JSON pointer), UsageError for an

@@ -15,6 +15,7 @@
 #include "cli/output_plan.h"
 #include "cli/statistics_document.h"
 #include "render/picture_memory.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -185,8 +186,8 @@ struct BudgetCommand {
     const double reached = asked.fps(cycles);
     const double goal = asked.spec.goal_fps;
     std::string text = fmt::format(
-        "{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n{} cycles, {:.1f} frames per second\n", frame.scene,
-        screen.columns, screen.rows, asked.options.max_level, asked.spec.name, cycles, reached);
+        "{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n{} cycles, {:.1f} frames per second\n", one_line(frame.scene),
+        screen.columns, screen.rows, asked.options.max_level, excerpt(asked.spec.name), cycles, reached);
     text += fmt::format("budget: {} cycles for {} frames per second, {} by {:.1f} %\n", asked.spec.budget(), goal,
                         changes ? "missed" : "met", 100 * std::abs(reached / goal - 1));
     if (!changes) return text;

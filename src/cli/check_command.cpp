@@ -9,6 +9,7 @@
 #include "hw_model/machine_spec.h"
 #include "json/json_file.h"
 #include "scene/load_scene.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -16,14 +17,14 @@ namespace {
 void check(const std::string& file) {
   const nlohmann::json document = read_json_file(file);
   if (document.is_object() && (document.contains("camera") || document.contains("objects"))) {
-    const Scene scene = load_scene(file);
+    const Scene scene = read_scene(file, document);
     print_warnings(scene);
-    std::cout << fmt::format("{}: a scene of {} objects on {}x{} pixels\n", file, scene.objects.size(),
+    std::cout << fmt::format("{}: a scene of {} objects on {}x{} pixels\n", one_line(file), scene.objects.size(),
                              scene.camera.screen.columns, scene.camera.screen.rows);
     return;
   }
-  const hw::MachineSpec spec = hw::load_machine(file);
-  std::cout << fmt::format("{}: machine {} with {} intersection units at {} MHz\n", file, spec.name,
+  const hw::MachineSpec spec = hw::read_machine(file, document);
+  std::cout << fmt::format("{}: machine {} with {} intersection units at {} MHz\n", one_line(file), excerpt(spec.name),
                            spec.intersection_units, spec.clock_mhz);
 }
 

@@ -13,7 +13,7 @@
 #include "image/compare_view.h"
 #include "image/image_error.h"
 #include "image/write_image.h"
-#include "json/json_file.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {

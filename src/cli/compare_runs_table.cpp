@@ -5,7 +5,7 @@
 
 #include "cli/compare_runs.h"
 #include "cli/frame_table.h"
-#include "json/json_file.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {

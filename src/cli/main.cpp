@@ -9,7 +9,7 @@
 #include "cli/usage.h"
 #include "error.h"
 #include "files/standard_descriptors.h"
-#include "json/json_file.h"
+#include "text/printable.h"
 #include "version.h"
 
 namespace {
@@ -62,12 +62,12 @@ int run(int argc, char** argv) {
     std::cerr << "pyrasim: " << error.what() << '\n';
     return error.exit_code();
   } catch (const Error& error) {
-    std::cerr << "pyrasim: " << one_line(error.what()) << '\n';
+    std::cerr << "pyrasim: " << message_line(error.what()) << '\n';
     return error.exit_code();
   } catch (const std::bad_alloc&) {
     std::cerr << "pyrasim: out of memory\n";
   } catch (const std::exception& error) {
-    std::cerr << "pyrasim: " << one_line(error.what()) << '\n';
+    std::cerr << "pyrasim: " << message_line(error.what()) << '\n';
   }
   return exit_run_failed;
 }

@@ -7,9 +7,9 @@
 #include "cli/command.h"
 #include "cli/whole_number.h"
 #include "error.h"
-#include "json/json_file.h"
 #include "pyramid/max_level.h"
 #include "scene/load_scene.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 
@@ -64,7 +64,7 @@ void add_window_option(CLI::App& command, FrameOptions& options) {
 }
 
 void print_warnings(const Scene& scene) {
-  for (const std::string& warning : scene.warnings) std::cerr << "pyrasim: warning: " << one_line(warning) << '\n';
+  for (const std::string& warning : scene.warnings) std::cerr << "pyrasim: warning: " << message_line(warning) << '\n';
 }
 
 int parse_number(const std::string& text, int least, int most, const std::string& what) {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "json/json_file.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -91,8 +91,9 @@ void refuse_empty_values(CLI::App& app) {
 std::string usage_mistake(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = chosen(app);
   const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !app.remaining(true).empty();
-  return one_line(fmt::format("{} {} --help lists what is allowed",
-                              extra ? unexpected(app, command) : error.what() + std::string(";"), full_name(command)));
+  return message_line(fmt::format("{} {} --help lists what is allowed",
+                                  extra ? unexpected(app, command) : error.what() + std::string(";"),
+                                  full_name(command)));
 }
 
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& known) {

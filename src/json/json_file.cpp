@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "error.h"
+#include "text/printable.h"
 
 namespace pyrasim {
 namespace {
@@ -23,13 +24,26 @@ using nlohmann::json;
 
 constexpr int overflow_id = 406;  ///< nlohmann's number for "number overflow"
 
-/// "FILE:LINE:COLUMN", both counted from 1, of the byte at `offset`.
+/// "FILE:LINE:COLUMN", both counted from 1, the column in characters, of the byte at `offset`.
 std::string place(std::string_view text, const std::string& file, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t newline = before.rfind('\n');
-  const std::size_t column = newline == std::string_view::npos ? offset + 1 : offset - newline;
+  const std::string_view in_line = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
+  const auto column = 1 + std::count_if(in_line.begin(), in_line.end(), [](char c) {
+                        return (static_cast<unsigned char>(c) & 0xc0U) != 0x80;  // a character's first byte
+                      });
   return fmt::format("{}:{}:{}", file, line, column);
+}
+
+/// Fails where `text` holds what the parser would take for its end, or what is no text.
+void check_characters(std::string_view text, const std::string& file) {
+  if (const std::size_t null = text.find('\0'); null != std::string_view::npos) {
+    throw InputError(place(text, file, null) + ": a null character; a JSON file has none");
+  }
+  if (const std::size_t wrong = first_not_utf8(text); wrong < text.size()) {
+    throw InputError(fmt::format("{}: the byte 0x{:02x} is not UTF-8; a JSON file is UTF-8 throughout",
+                                 place(text, file, wrong), static_cast<unsigned char>(text[wrong])));
+  }
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -47,13 +61,15 @@ std::string_view non_finite_literal(std::string_view text, std::size_t offset) {
   return text.substr(begin, end - begin);
 }
 
+constexpr std::size_t longest_reason = 160;  ///< characters: what nlohmann says, and the beginning of a long token
+
 /// What nlohmann says of a syntax error, without its prefix of numbers and positions.
 std::string reason_of(const json::exception& error) {
   const std::string_view what = error.what();
   const std::size_t begin = what.find("syntax error");
   const std::size_t bracket = what.find("] ");
-  if (begin != std::string_view::npos) return one_line(what.substr(begin));
-  return one_line(bracket == std::string_view::npos ? what : what.substr(bracket + 2));
+  if (begin != std::string_view::npos) return excerpt(what.substr(begin), longest_reason);
+  return excerpt(bracket == std::string_view::npos ? what : what.substr(bracket + 2), longest_reason);
 }
 
 /// Builds the document from the parser's events and keeps the path to the value that is being read.
@@ -86,7 +102,7 @@ class DocumentBuilder final : public nlohmann::json_sax<json> {
 
   bool parse_error(std::size_t position, const std::string& token, const json::exception& error) override {
     if (error.id == overflow_id) {
-      throw InputError(json_message(file_, pointer(), fmt::format("the number {} is too large", token),
+      throw InputError(json_message(file_, pointer(), fmt::format("the number {} is too large", excerpt(token)),
                                     "a magnitude of at most 1.797e308 is allowed"));
     }
     const std::size_t offset = std::min(position > 0 ? position - 1 : 0, text_.size());
@@ -154,6 +170,9 @@ class DocumentBuilder final : public nlohmann::json_sax<json> {
 }  // namespace
 
 nlohmann::json parse_json(std::string_view text, const std::string& file) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
+  check_characters(text, file);
   DocumentBuilder builder(text, file);
   constexpr bool strict = true;
   constexpr bool ignore_comments = true;
@@ -187,19 +206,6 @@ std::string read_text(const std::filesystem::path& file) {
   return text;
 }
 
-std::string one_line(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) {
-      result += fmt::format("\\u{:04x}", byte);
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 std::string json_pointer_child(std::string_view pointer, std::string_view key) {
   std::string result(pointer);
   result += '/';
@@ -217,7 +223,13 @@ std::string json_pointer_child(std::string_view pointer, std::string_view key) {
 
 std::string json_message(std::string_view file, std::string_view pointer, std::string_view wrong,
                          std::string_view allowed) {
-  return fmt::format("{}: {}: {}; {}", file, pointer.empty() ? "(root)" : one_line(pointer), wrong, allowed);
+  std::string shown = pointer.empty() ? "(root)" : "";
+  while (!pointer.empty()) {
+    const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
+    shown += '/' + excerpt(pointer.substr(1, end - 1));
+    pointer.remove_prefix(end);
+  }
+  return fmt::format("{}: {}: {}; {}", file, shown, wrong, allowed);
 }
 
 }  // namespace pyrasim

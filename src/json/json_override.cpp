@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "error.h"
 #include "json/json_file.h"
+#include "text/printable.h"
 
 namespace pyrasim {
 namespace {
@@ -16,7 +18,7 @@ namespace {
 using nlohmann::json;
 
 [[noreturn]] void fail(std::string_view assignment, std::string_view wrong, std::string_view allowed) {
-  throw UsageError(fmt::format("--set {}: {}; {}", one_line(assignment), one_line(wrong), allowed));
+  throw UsageError(fmt::format("--set {}: {}; {}", excerpt(assignment), wrong, allowed));
 }
 
 json parse_value(std::string_view assignment, std::string_view value) {
@@ -37,16 +39,33 @@ json& step(json& node, std::string_view key, std::string_view assignment) {
   if (node.is_null()) node = json::object();
   if (node.is_object()) return node[std::string(key)];
   if (!node.is_array()) {
-    fail(assignment, fmt::format("there is nothing inside to select by \"{}\"", key),
+    fail(assignment, fmt::format("there is nothing inside to select by \"{}\"", excerpt(key)),
          "only objects and arrays hold other settings");
   }
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
   if (error != std::errc() || end != key.data() + key.size() || index >= node.size()) {
-    fail(assignment, fmt::format("\"{}\" selects no element", key),
+    fail(assignment, fmt::format("\"{}\" selects no element", excerpt(key)),
          fmt::format("the array has {} elements, counted from 0", node.size()));
   }
   return node[index];
+}
+
+/// How deeply arrays and objects are nested in `value`, which keeps within max_json_depth.
+int depth_of(const json& value) {
+  if (!value.is_structured()) return 0;
+  int deepest = 0;
+  for (const json& inside : value) deepest = std::max(deepest, depth_of(inside));
+  return deepest + 1;
+}
+
+/// Fails where the document would be nested too deeply for those who read it.
+void check_depth(std::string_view path, const json& value, std::string_view assignment) {
+  const auto levels = std::count(path.begin(), path.end(), '.') + 1 + depth_of(value);
+  if (levels > max_json_depth) {
+    fail(assignment, fmt::format("it is nested {} levels deep", levels),
+         fmt::format("at most {} levels are allowed", max_json_depth));
+  }
 }
 
 }  // namespace
@@ -56,6 +75,7 @@ void apply_override(nlohmann::json& document, std::string_view assignment) {
   if (equals == std::string_view::npos) fail(assignment, "there is no \"=\"", "PATH=VALUE is allowed");
   json value = parse_value(assignment, assignment.substr(equals + 1));
   std::string_view path = assignment.substr(0, equals);
+  check_depth(path, value, assignment);
   json changed = document;  // a refused assignment leaves the document as it was
   json* node = &changed;
   while (true) {

@@ -10,19 +10,15 @@
 
 #include "error.h"
 #include "json/json_file.h"
+#include "text/printable.h"
 
 namespace pyrasim {
 namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longest_quote = 40;  ///< bytes of a wrong string that a message repeats
-
 /// A string as a message shows it.
-std::string in_quotes(std::string_view text) {
-  const bool cut = text.size() > longest_quote;
-  return '"' + one_line(text.substr(0, longest_quote)) + (cut ? "...\"" : "\"");
-}
+std::string in_quotes(std::string_view text) { return '"' + excerpt(text) + '"'; }
 
 /// "an object", "the string \"x\"", "the number 4" ...
 std::string kind_of(const json& node) {

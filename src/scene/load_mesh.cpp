@@ -5,7 +5,9 @@
 #include <tiny_obj_loader.h>
 
 #include <array>
+#include <cassert>
 #include <cstdint>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -16,6 +18,8 @@
 #include "json/json_file.h"
 #include "scene/degenerate.h"
 #include "scene/obj_check.h"
+#include "scene/triangulate.h"
+#include "text/printable.h"
 
 namespace pyrasim {
 namespace {
@@ -28,60 +32,117 @@ std::string read_obj(const std::filesystem::path& file, const std::string& name)
   }
 }
 
-/// The faces of `text` as triangles. No material is looked for.
-std::vector<tinyobj::shape_t> parse_faces(std::string text, bool triangulate, const std::string& file) {
+/// The corners of all faces of `text`, as indices of vertices from 0, one face after the other. No material is looked
+/// for.
+std::vector<tinyobj::index_t> parse_corners(std::string text, const std::string& file) {
   tinyobj::attrib_t attributes;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
   std::string warning;
   std::string error;
   std::istringstream stream(std::move(text));
+  constexpr bool triangulate = false;
   constexpr bool vertex_colors = false;
   if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr, triangulate,
                         vertex_colors)) {
-    throw InputError(fmt::format("{}: {}; an OBJ file is allowed", file, one_line(error.substr(0, error.find('\n')))));
+    throw InputError(fmt::format("{}: {}; an OBJ file is allowed", file, excerpt(error.substr(0, error.find('\n')))));
   }
-  return shapes;
+  return shapes.empty() ? std::vector<tinyobj::index_t>() : std::move(shapes.front().mesh.indices);
 }
 
-/// Appends the triangles of `shape` that are not degenerate.
-void append(const tinyobj::mesh_t& shape, const std::string& file, Mesh& mesh) {
-  for (std::size_t i = 0; i + 2 < shape.indices.size(); i += 3) {
-    std::array<std::uint32_t, 3> corners{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = static_cast<std::uint32_t>(shape.indices[i + k].vertex_index);
-      // check_obj has seen all faces; this is for a line that the two would read differently.
-      if (corners[k] >= mesh.vertices.size()) {
-        throw InputError(fmt::format("{}: a face with an index that selects no vertex; 1 to {} is allowed", file,
-                                     mesh.vertices.size()));
-      }
+/// Adds the triangles of faces to a mesh whose vertices are known, and counts what is wrong with faces.
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(Mesh& mesh) : mesh_(mesh) {}
+
+  void add(const ObjOutline::Face& face, std::span<const std::uint32_t> corners) {
+    const std::size_t before = mesh_.triangles.size();
+    bool crossing = false;
+    if (corners.size() == 3) {
+      add_triangle({corners[0], corners[1], corners[2]});
+    } else {
+      crossing = add_polygon(corners);
     }
-    const auto& vertices = mesh.vertices;
-    if (!is_degenerate(vertices[corners[0]], vertices[corners[1]], vertices[corners[2]])) {
-      mesh.triangles.push_back(corners);
+    if (mesh_.triangles.size() == before) {
+      ++without_area_;
+    } else if (crossing && crossing_++ == 0) {
+      first_crossing_ = face.line;
     }
   }
+
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> result;
+    if (without_area_ > 0) {
+      result.push_back(fmt::format("{} faces without an area were skipped; {} triangles are left", without_area_,
+                                   mesh_.triangles.size()));
+    }
+    if (crossing_ > 0) {
+      result.push_back(
+          fmt::format("{} polygons cross or cover themselves, the first in line {}; what they enclose is "
+                      "not defined, and any triangles may be seen",
+                      crossing_, first_crossing_));
+    }
+    return result;
+  }
+
+ private:
+  void add_triangle(const std::array<std::uint32_t, 3>& corners) {
+    const auto& vertices = mesh_.vertices;
+    if (!is_degenerate(vertices[corners[0]], vertices[corners[1]], vertices[corners[2]])) {
+      mesh_.triangles.push_back(corners);
+    }
+  }
+
+  /// Whether the polygon crosses itself.
+  bool add_polygon(std::span<const std::uint32_t> corners) {
+    points_.clear();
+    for (const std::uint32_t corner : corners) points_.push_back(mesh_.vertices[corner]);
+    const Triangulation polygon = triangulate(points_);
+    for (const auto& [i, j, k] : polygon.triangles) add_triangle({corners[i], corners[j], corners[k]});
+    return polygon.crossing;
+  }
+
+  Mesh& mesh_;
+  std::vector<glm::dvec3> points_;  ///< of a polygon
+  std::size_t without_area_ = 0;
+  std::size_t crossing_ = 0;
+  std::size_t first_crossing_ = 0;  ///< its line in the file
+};
+
+/// Adds all faces to `mesh` and returns what is to be said of them.
+std::vector<std::string> add_faces(ObjOutline& outline, const std::string& file, Mesh& mesh) {
+  const std::vector<tinyobj::index_t> indices = parse_corners(std::move(outline.plain), file);
+  std::vector<std::uint32_t> corners;
+  corners.reserve(indices.size());
+  for (const tinyobj::index_t& index : indices) {
+    corners.push_back(static_cast<std::uint32_t>(index.vertex_index));
+    assert(corners.back() < mesh.vertices.size());  // check_obj has seen all corners
+  }
+  MeshBuilder builder(mesh);
+  std::size_t begin = 0;
+  for (const ObjOutline::Face& face : outline.faces) {
+    assert(begin + face.corners <= corners.size());
+    builder.add(face, std::span(corners).subspan(begin, face.corners));
+    begin += face.corners;
+  }
+  return builder.warnings();
 }
 
 }  // namespace
 
 LoadedMesh load_mesh(const std::filesystem::path& file) {
   const std::string name = one_line(file.string());
-  std::string text = read_obj(file, name);
-  ObjOutline outline = check_obj(text, name);
-  if (outline.faces == 0) throw InputError(name + ": it has no faces; at least one is needed");
+  ObjOutline outline = check_obj(read_obj(file, name), name);
+  if (outline.faces.empty()) throw InputError(name + ": it has no faces; at least one is needed");
   LoadedMesh loaded;
   loaded.mesh.vertices = std::move(outline.vertices);
-  loaded.mesh.triangles.reserve(outline.triangles);
-  const bool triangulate = outline.most_corners > 3;
-  for (const tinyobj::shape_t& shape : parse_faces(std::move(text), triangulate, name)) {
-    append(shape.mesh, name, loaded.mesh);
-  }
+  loaded.mesh.triangles.reserve(outline.faces.size());
+  loaded.warnings = add_faces(outline, name, loaded.mesh);
   if (loaded.mesh.triangles.empty()) {
     throw InputError(name + ": all its faces are degenerate; at least one with an area is needed");
   }
-  // Triangles that the triangulation of a folded polygon leaves out have no area that could be seen either.
-  loaded.skipped = outline.triangles - loaded.mesh.triangles.size();
+  loaded.warnings.insert(loaded.warnings.end(), outline.warnings.begin(), outline.warnings.end());
+  for (std::string& warning : loaded.warnings) warning.insert(0, name + ": ");
   return loaded;
 }
 

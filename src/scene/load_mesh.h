@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -13,12 +14,14 @@ inline constexpr double max_coordinate = 1e30;
 
 struct LoadedMesh {
   Mesh mesh;
-  std::size_t skipped = 0;  ///< degenerate triangles, which `mesh` does not have
+  std::vector<std::string> warnings;  ///< "FILE: what is lost; what is left": faces without area, polygons that cross
+                                      ///< themselves, what is not read of the file
 };
 
-/// Reads the vertices and faces of an OBJ file; polygons become triangles, and groups and materials are passed over.
-/// Throws InputError "FILE: what is wrong; what is allowed" or "FILE:LINE: ...": a file that cannot be read, no faces
-/// or degenerate ones only, a face with an index that selects no vertex, coordinates that are no finite numbers.
+/// Reads the vertices and faces of an OBJ file; polygons become triangles (see triangulate.h), and groups and materials
+/// are passed over. Throws InputError "FILE: what is wrong; what is allowed" or "FILE:LINE: ...": a file that cannot be
+/// read, no faces or degenerate ones only, a face with an index that selects no vertex, coordinates that are no finite
+/// numbers.
 LoadedMesh load_mesh(const std::filesystem::path& file);
 
 }  // namespace pyrasim

@@ -133,10 +133,8 @@ Mesh read_mesh(const JsonReader& reader, const Context& context) {
   try {
     LoadedMesh loaded = load_mesh(context.folder / name);
     context.files.push_back((context.folder / name).string());
-    if (loaded.skipped > 0) {
-      context.warnings.push_back(json_message(
-          file.file(), file.pointer(), fmt::format("{} degenerate triangles were skipped", loaded.skipped),
-          fmt::format("{} are left of {}", loaded.mesh.triangles.size(), one_line((context.folder / name).string()))));
+    for (const std::string& warning : loaded.warnings) {
+      context.warnings.push_back(fmt::format("{}: {}: {}", file.file(), file.pointer(), warning));
     }
     return std::move(loaded.mesh);
   } catch (const InputError& error) {
@@ -172,10 +170,19 @@ Object read_object(const JsonReader& reader, const Context& context) {
           std::move(surface)};
 }
 
+/// Where the meshes of the scene in `file` are looked for. The folders of open files hold nothing else.
+std::filesystem::path folder_of_meshes(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  const std::string name = folder.string();
+  const bool open_files = name == "/dev" || name == "/dev/fd" || (name.starts_with("/proc/") && name.ends_with("/fd"));
+  return open_files ? std::filesystem::path() : folder;
+}
+
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file) {
-  const nlohmann::json document = read_json_file(file);
+Scene load_scene(const std::filesystem::path& file) { return read_scene(file, read_json_file(file)); }
+
+Scene read_scene(const std::filesystem::path& file, const nlohmann::json& document) {
   const JsonReader root(file.string(), document);
   root.allow_keys({"camera", "background", "light", "objects"});
   Scene scene;
@@ -183,7 +190,7 @@ Scene load_scene(const std::filesystem::path& file) {
   scene.background = root.optional_vec3("background", color_components).value_or(scene.background);
   if (const auto light = root.find("light")) scene.light = read_light(*light);
   scene.files.push_back(file.string());
-  const Context context{file.parent_path(), scene.warnings, scene.files};
+  const Context context{folder_of_meshes(file), scene.warnings, scene.files};
   for (const JsonReader& reader : root.member("objects").elements()) {
     scene.objects.push_back(read_object(reader, context));
   }

@@ -6,31 +6,30 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include "error.h"
-#include "json/json_file.h"
 #include "scene/load_mesh.h"
+#include "scene/obj_lines.h"
+#include "scene/obj_unread.h"
+#include "text/printable.h"
 
 namespace pyrasim {
 namespace {
 
-constexpr std::string_view blanks = " \t";
-constexpr std::size_t longest_quote = 40;  ///< bytes of a wrong word that a message repeats
-
-/// Cuts the first word off `line`; empty at the line's end.
-std::string_view next_word(std::string_view& line) {
-  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-  const std::string_view word = line.substr(0, line.find_first_of(blanks));
-  line.remove_prefix(word.size());
-  return word;
-}
-
-/// Reads the whole of `word`, a leading plus included.
+/// Reads the whole of `word`, a leading plus included. A number too small or too large for its type is read as 0 or
+/// infinity; an integer must fit.
 template <class T>
 bool parse_whole(std::string_view word, T& value) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if constexpr (std::is_floating_point_v<T>) {
+    if (error == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr);
+    return error != std::errc::invalid_argument && end == word.data() + word.size();
+  }
   return error == std::errc() && end == word.data() + word.size();
 }
 
@@ -39,16 +38,17 @@ class ObjChecker {
   explicit ObjChecker(const std::string& file) : file_(file) {}
 
   ObjOutline check(std::string_view text) {
-    while (!text.empty()) {
-      const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-      ++line_;
-      check_line(text.substr(0, end));
-      const bool carriage_return_and_newline = text.substr(end, 2) == "\r\n";
-      text.remove_prefix(std::min(end + (carriage_return_and_newline ? 2 : 1), text.size()));
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) fail(1, "it is UTF-16", "UTF-8 is allowed");
+    outline_.plain.reserve(text.size());
+    ObjLines lines(text);
+    while (lines.next()) {
+      line_ = lines.number();
+      check_line(lines.line());
     }
     // A face may come before its vertices, so this is known only now.
     const auto count = static_cast<long long>(outline_.vertices.size());
     if (largest_index_ > count) fail_index(largest_index_, largest_index_line_, count);
+    outline_.warnings = unread_.warnings();
     return std::move(outline_);
   }
 
@@ -63,15 +63,22 @@ class ObjChecker {
                     : fmt::format("1 to {}, or -1 to -{} counted back from the last, is allowed", count, count));
   }
 
-  static std::string in_quotes(std::string_view word) { return '"' + one_line(word.substr(0, longest_quote)) + '"'; }
+  static std::string in_quotes(std::string_view word) { return '"' + excerpt(word) + '"'; }
 
   void check_line(std::string_view line) {
     const std::string_view keyword = next_word(line);
-    if (keyword == "v") check_vertex(line);
-    if (keyword == "f") check_face(line);
+    if (keyword.empty()) return;
+    if (keyword == "v") {
+      check_vertex(line);
+    } else if (keyword == "f") {
+      check_face(line);
+    } else {
+      unread_.count(keyword);
+    }
   }
 
   void check_vertex(std::string_view line) {
+    outline_.plain += 'v';
     glm::dvec3 vertex;
     for (int i = 0; i < 3; ++i) {
       const std::string_view word = next_word(line);
@@ -80,29 +87,36 @@ class ObjChecker {
         fail(line_, in_quotes(word) + " is no coordinate",
              fmt::format("a number from {} to {} is allowed", -max_coordinate, max_coordinate));
       }
+      outline_.plain.append(" ").append(word);
     }
+    outline_.plain += '\n';
     outline_.vertices.push_back(vertex);
+    std::size_t more = 0;
+    while (!next_word(line).empty()) ++more;
+    if (more >= 3) unread_.count_vertex_color();
   }
 
   void check_face(std::string_view line) {
-    std::size_t corners = 0;
+    std::uint32_t corners = 0;
+    outline_.plain += 'f';
     for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
       check_corner(word);
+      outline_.plain.append(" ").append(word.substr(0, word.find('/')));
       ++corners;
     }
     if (corners < 3) fail(line_, fmt::format("a face with {} corners", corners), "at least 3 are needed");
-    ++outline_.faces;
-    outline_.triangles += corners - 2;
-    outline_.most_corners = std::max(outline_.most_corners, corners);
+    outline_.plain += '\n';
+    outline_.faces.push_back({line_, corners});
   }
 
-  /// A corner is V, V/T, V//N or V/T/N: indices of a vertex, a texture coordinate and a normal.
+  /// A corner is V, V/T, V//N or V/T/N: indices of a vertex, a texture coordinate and a normal; the slashes of absent
+  /// ones may be there.
   void check_corner(std::string_view corner) {
     std::string_view rest = corner;
     for (int part = 0; part < 3; ++part) {
       const std::string_view word = rest.substr(0, rest.find('/'));
       const bool last = word.size() == rest.size();
-      const bool may_be_empty = part == 1 && !last;
+      const bool may_be_empty = part > 0;
       int index = 0;
       if (!(word.empty() && may_be_empty) && !parse_whole(word, index)) break;
       if (part == 0) check_index(index);
@@ -125,6 +139,7 @@ class ObjChecker {
 
   const std::string& file_;
   ObjOutline outline_;
+  ObjUnread unread_;
   std::size_t line_ = 0;
   long long largest_index_ = 0;
   std::size_t largest_index_line_ = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
@@ -10,12 +11,17 @@
 
 namespace pyrasim {
 
-/// The vertices of an OBJ text and the size of its faces.
+/// What a file's faces are made of, and the text that a plain reader needs to read them.
 struct ObjOutline {
+  struct Face {
+    std::size_t line;
+    std::uint32_t corners;
+  };
+
   std::vector<glm::dvec3> vertices;
-  std::size_t faces = 0;
-  std::size_t triangles = 0;     ///< after triangulation: the sum of (corners - 2)
-  std::size_t most_corners = 0;  ///< of a face
+  std::vector<Face> faces;
+  std::string plain;  ///< the `v` and `f` lines alone, each on one line, with the vertex indices of corners
+  std::vector<std::string> warnings;  ///< of what is not read
 };
 
 /// Checks every `v` and `f` line of an OBJ text. Throws InputError "FILE:LINE: what is wrong; what is allowed".

@@ -4,6 +4,7 @@
 import json
 import os
 import subprocess
+import xml.etree.ElementTree
 
 import tool
 from tool import OK, RUN_FAILED, USAGE
@@ -211,6 +212,28 @@ class Outputs(tool.EndToEnd):
             self.refused(USAGE, "study", "numerics", self.scene, "--plot", name, says="its name must end in .svg")
         for name in ("-", "/dev/stdout", "/dev/fd/1"):
             self.assertTrue(self.run_tool("simulate", self.scene, "--trace", name).stdout.startswith("$"))
+
+    def test_names_in_files(self):
+        """A file's name of any bytes leaves plots, pictures and statistics valid; the recorded command line is exact."""
+        name = b"a\x1b[2J\x9b\xc2\x9b\xff<&>'\\ \n\xe2\x82\xac.json"
+        (self.folder / os.fsdecode(name)).write_text(json.dumps(tool.scene()))
+        self.ok("study", "numerics", name, "--formats", "fp16", "--plot", "plot.svg")
+        plot = xml.etree.ElementTree.parse(self.folder / "plot.svg").getroot()
+        self.assertIn("<&>'\\ \ufffd\u20ac.json", "".join(plot.itertext()))
+        self.ok("render", name, "-o", "out.png", "--stats", "out.json")
+        command = tool.read_json(self.folder / "out.json")["command"]
+        self.assertTrue(command.isprintable(), command)
+        texts = dict(tool.texts_of_png(self.folder / "out.png"))
+        self.assertEqual(texts["Comment"], command)
+        words = subprocess.run(["bash", "-c", f"printf '%s\\0' {command}"], stdout=subprocess.PIPE, check=True).stdout
+        self.assertEqual(words.split(b"\0")[:-1], [b"pyrasim", b"render", name, b"-o", b"out.png", b"--stats", b"out.json"])
+        self.assertEqual(dict(tool.texts_of_png(self.picture("plain.json")))["Comment"],
+                         "pyrasim render plain.json -o out.png")
+
+    def picture(self, scene):
+        self.write(scene, tool.scene())
+        self.ok("render", scene, "-o", "out.png")
+        return self.folder / "out.png"
 
     def test_render_without_output(self):
         """Its counts, as simulate prints them."""

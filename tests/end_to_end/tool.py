@@ -57,6 +57,22 @@ def pixel_of_pfm(file, row, column):
     return struct.unpack_from("<3f", read_pfm(file)[2][row], column * 12)
 
 
+def texts_of_png(file):
+    """Keyword and text of each text chunk, which has to be ASCII (tEXt) or UTF-8 (iTXt)."""
+    data = pathlib.Path(file).read_bytes()
+    at = 8
+    while at < len(data):
+        length, kind = struct.unpack_from(">I4s", data, at)
+        content = data[at + 8 : at + 8 + length]
+        if kind == b"tEXt":
+            keyword, text = content.split(b"\0")
+            yield keyword.decode("ascii"), text.decode("ascii")
+        elif kind == b"iTXt":
+            keyword, rest = content.split(b"\0", 1)
+            yield keyword.decode("ascii"), rest[2:].split(b"\0", 2)[2].decode("utf-8")
+        at += 12 + length
+
+
 class EndToEnd(unittest.TestCase):
     """Runs pyrasim in a folder of its own."""
 

@@ -52,6 +52,45 @@ TEST(JsonFile, SyntaxErrorsSayLineAndColumn) {
   EXPECT_EQ(parse_error("\"a\nb\"").find('\n'), std::string::npos);
 }
 
+TEST(JsonFile, ColumnsAreCountedInCharacters) {
+  EXPECT_EQ(parse_error("{\n\"\u00e9\u4e2d\": ?}").find("f.json:2:7: syntax error"), 0U)
+      << parse_error("{\n\"\u00e9\u4e2d\": ?}");
+}
+
+TEST(JsonFile, RefusesNullCharactersWhereverTheyAre) {
+  const std::string null(1, '\0');
+  EXPECT_EQ(parse_error("{} " + null + " } garbage"), "f.json:1:4: a null character; a JSON file has none");
+  EXPECT_EQ(parse_error("{}\n" + null), "f.json:2:1: a null character; a JSON file has none");
+  EXPECT_EQ(parse_error("{\"a" + null + "\": 1}"), "f.json:1:4: a null character; a JSON file has none");
+  EXPECT_EQ(parse_error("// comment" + null + "\n{}"), "f.json:1:11: a null character; a JSON file has none");
+  EXPECT_EQ(parse_error(null), "f.json:1:1: a null character; a JSON file has none");
+}
+
+TEST(JsonFile, RefusesWhatIsNotUtf8WhereverItIs) {
+  EXPECT_EQ(parse_error("{\n\"sph\xe8re\": 1}"),
+            "f.json:2:5: the byte 0xe8 is not UTF-8; a JSON file is UTF-8 throughout");
+  EXPECT_EQ(parse_error("{} // sph\xe8re"), "f.json:1:10: the byte 0xe8 is not UTF-8; a JSON file is UTF-8 throughout");
+  EXPECT_EQ(parse_error("\xff\xfe{"), "f.json:1:1: the byte 0xff is not UTF-8; a JSON file is UTF-8 throughout");
+}
+
+TEST(JsonFile, PassesOverAByteOrderMark) {
+  EXPECT_EQ(parse_json("\xef\xbb\xbf{\"a\": 1}", "f.json"), nlohmann::json({{"a", 1}}));
+  EXPECT_EQ(parse_error("\xef\xbb\xbf{?").find("f.json:1:2: syntax error"), 0U) << parse_error("\xef\xbb\xbf{?");
+  EXPECT_NE(parse_error("{}\xef\xbb\xbf"), "(no error)");
+}
+
+TEST(JsonFile, MessagesRepeatLittleOfLongTexts) {
+  const std::string much(3'000'000, 'w');
+  const std::string some = std::string(60, 'w') + "\u2026";
+  EXPECT_EQ(parse_error("{\"a\": {\"" + much + "\": 1, \"" + much + "\": 2}}"),
+            "f.json: /a/" + some + ": the key appears twice; a key is allowed once in its object");
+  EXPECT_EQ(parse_error("1" + std::string(3'000'000, '0')),
+            "f.json: (root): the number 1" + std::string(59, '0') +
+                "\u2026 is too large; a magnitude of at most 1.797e308 is allowed");
+  EXPECT_LT(parse_error("{\"" + much).size(), 250U);
+  EXPECT_LT(parse_error("{} \"" + much + "\"").size(), 250U);
+}
+
 TEST(JsonFile, RefusesNumbersBeyondDouble) {
   EXPECT_EQ(parse_error(R"({"a": [1, -1e999]})"),
             "f.json: /a/1: the number -1e999 is too large; a magnitude of at most 1.797e308 is allowed");

@@ -41,6 +41,31 @@ TEST(JsonOverride, ReadsValuesAsJsonOrElseAsText) {
   EXPECT_EQ(after("{}", "a=\"4\""), R"({"a":"4"})");
 }
 
+TEST(JsonOverride, KeepsWithinTheDepthOfADocument) {
+  const auto path = [](int keys) {
+    std::string text = "a";
+    for (int k = 1; k < keys; ++k) text += ".a";
+    return text;
+  };
+  EXPECT_NE(after("{}", (path(64) + "=1").c_str()), "");
+  EXPECT_NE(after("{}", (path(62) + "=[[1], 2]").c_str()), "");
+  EXPECT_EQ(override_error("{}", (path(65) + "=1").c_str()),
+            "--set " + path(30) + ".\u2026: it is nested 65 levels deep; at most 64 levels are allowed");
+  EXPECT_EQ(override_error("{}", (path(63) + "=[[1], 2]").c_str()),
+            "--set " + path(30) + ".\u2026: it is nested 65 levels deep; at most 64 levels are allowed");
+  EXPECT_EQ(override_error("{}", (path(1'000'000) + "=1").c_str()),
+            "--set " + path(30) + ".\u2026: it is nested 1000000 levels deep; at most 64 levels are allowed");
+}
+
+TEST(JsonOverride, MessagesRepeatLittleOfLongTexts) {
+  const std::string much(3'000'000, 'w');
+  const std::string some = std::string(60, 'w') + "\u2026";
+  EXPECT_EQ(override_error("{}", much.c_str()), "--set " + some + ": there is no \"=\"; PATH=VALUE is allowed");
+  EXPECT_EQ(override_error("[1]", (much + "=1").c_str()),
+            "--set " + some + ": \"" + some + "\" selects no element; the array has 1 elements, counted from 0");
+  EXPECT_LT(override_error("{}", ("a=\"" + much).c_str()).size(), 350U);
+}
+
 TEST(JsonOverride, RefusesAssignmentsWithoutSense) {
   EXPECT_EQ(override_error("{}", "a"), "--set a: there is no \"=\"; PATH=VALUE is allowed");
   EXPECT_EQ(override_error("{}", "=1"), "--set =1: a key is empty; PATH is keys separated by dots");

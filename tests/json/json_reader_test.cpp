@@ -130,7 +130,17 @@ TEST(JsonReader, RefusesUnknownChoices) {
 TEST(JsonReader, CutsLongTextsAndKeepsMessagesOnOneLine) {
   const auto order = [](const JsonReader& r) { r.choice<int>({{"x", 1}}); };
   const std::string message = reader_error("\"\\n" + std::string(1000, 'w') + "\"", order);
-  EXPECT_EQ(message, "m.json: (root): \"\\u000a" + std::string(39, 'w') + "...\" is unknown; one of \"x\" is allowed");
+  EXPECT_EQ(message,
+            "m.json: (root): \"\\u000a" + std::string(54, 'w') + "\u2026\" is unknown; one of \"x\" is allowed");
+  EXPECT_EQ(
+      reader_error("{\"" + std::string(3'000'000, 'w') + "\": 1}", [](const JsonReader& r) { r.allow_keys({"a"}); }),
+      "m.json: /" + std::string(60, 'w') + "\u2026: unknown key; allowed keys: a");
+  std::string accents;
+  for (int k = 0; k < 1000; ++k) accents += "\u00e9";
+  EXPECT_EQ(reader_error("\"a" + accents + "\"", order),
+            "m.json: (root): \"a" + accents.substr(0, 118) + "\u2026\" is unknown; one of \"x\" is allowed");
+  EXPECT_EQ(reader_error(R"("\u009b2J\u202e")", order),
+            R"(m.json: (root): "\u009b2J\u202e" is unknown; one of "x" is allowed)");
 }
 
 }  // namespace

@@ -98,13 +98,13 @@ TEST_F(LoadScene, MeshPathsBeginAtTheScenesFolderOrAtTheRoot) {
   EXPECT_NO_THROW(load(scene((folder() / "sub/m.obj").string())));
 }
 
-TEST_F(LoadScene, OneWarningForAllDegenerateTrianglesOfAMesh) {
+TEST_F(LoadScene, OneWarningForAllFacesOfAMeshWithoutAnArea) {
   const std::string mesh = write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\nf 2 2 2\n").string();
   const Scene scene =
       load(with_camera(small_screen, R"("objects": [{"type": "mesh", "color": [1, 1, 1], "file": "m.obj"}])"));
   ASSERT_EQ(scene.warnings.size(), 1U);
-  EXPECT_EQ(scene.warnings[0], (folder() / "s.json").string() +
-                                   ": /objects/0/file: 2 degenerate triangles were skipped; 1 are left of " + mesh);
+  EXPECT_EQ(scene.warnings[0], (folder() / "s.json").string() + ": /objects/0/file: " + mesh +
+                                   ": 2 faces without an area were skipped; 1 triangles are left");
 }
 
 /// The unit normal of a mesh's triangle.
