@@ -7,7 +7,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/between.h"
 #include "cli/budget_search.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -213,19 +212,18 @@ struct BudgetCommand {
 
 }  // namespace
 
-void add_budget_command(CLI::App& app, Action& action) {
+void add_budget_command(const Command& program) {
   auto options = std::make_shared<BudgetCommand>();
-  CLI::App* command = app.add_subcommand(
+  const Command command = program.add_command(
       "budget",
-      "Say whether a machine meets a frame rate, and the smallest changes, alone or two together, that make it do so.");
-  add_frame_options(*command, options->frame);
-  add_scalar_option(*command, options->frame.scalar);
-  options->machine.add(*command);
-  command->add_option("--fps", options->fps, "frames per second to reach; the machine's goal without it")
-      ->type_name("F")
-      ->check(between(0.001, 1e6));
-  command->add_option("--stats", options->stats, "the result as JSON; - for stdout")->type_name("FILE|-");
-  command->callback([&action, options] { action = [options] { options->run(); }; });
+      "Say whether a machine meets a frame rate, and the smallest changes, alone or two together, that make it do so.",
+      [options] { options->run(); });
+  add_frame_options(command, options->frame);
+  add_scalar_option(command, options->frame.scalar);
+  options->machine.add(command);
+  command.add_number("--fps", options->fps, 0.001, 1e6, "frames per second to reach; the machine's goal without it")
+      .type_name("F");
+  command.add_text("--stats", options->stats, "the result as JSON; - for stdout").type_name("FILE|-");
 }
 
 }  // namespace pyrasim::cli

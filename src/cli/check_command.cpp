@@ -30,11 +30,11 @@ void check(const std::string& file) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, Action& action) {
+void add_check_command(const Command& program) {
   auto file = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("check", "Read a scene or machine file and say what is wrong with it.");
-  command->add_option("FILE", *file, "scene or machine file (JSON)")->required();
-  command->callback([&action, file] { action = [file] { check(*file); }; });
+  const Command command = program.add_command("check", "Read a scene or machine file and say what is wrong with it.",
+                                              [file] { check(*file); });
+  command.add_text("FILE", *file, "scene or machine file (JSON)").required();
 }
 
 }  // namespace pyrasim::cli

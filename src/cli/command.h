@@ -2,13 +2,13 @@
 // What the commands share: options that several have, and where their output goes.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/command_parser.h"
 #include "image/image.h"
 #include "image/png.h"
 #include "render/method.h"
@@ -16,19 +16,16 @@
 
 namespace pyrasim::cli {
 
-/// What main() runs once the command line has been read; throws pyrasim::Error.
-using Action = std::function<void()>;
-
-/// Each adds its command to `app`; `action` is set when the command is chosen.
-void add_render_command(CLI::App& app, Action& action);
-void add_simulate_command(CLI::App& app, Action& action);
-void add_sweep_command(CLI::App& app, Action& action);
-void add_study_command(CLI::App& app, Action& action);
-void add_budget_command(CLI::App& app, Action& action);
-void add_check_command(CLI::App& app, Action& action);
-void add_level_command(CLI::App& app, Action& action);
-void add_compare_command(CLI::App& app, Action& action);
-void add_formats_command(CLI::App& app, Action& action);
+/// Each adds its command to the program.
+void add_render_command(const Command& program);
+void add_simulate_command(const Command& program);
+void add_sweep_command(const Command& program);
+void add_study_command(const Command& program);
+void add_budget_command(const Command& program);
+void add_check_command(const Command& program);
+void add_level_command(const Command& program);
+void add_compare_command(const Command& program);
+void add_formats_command(const Command& program);
 
 /// The whole command line, as a shell would take it; every result names it.
 const std::string& command_line();
@@ -51,10 +48,10 @@ struct FrameOptions {
 };
 
 /// Adds SCENE, --size, --max-level and --leaf. --scalar and --window are the caller's choice.
-void add_frame_options(CLI::App& command, FrameOptions& options);
-void add_scalar_option(CLI::App& command, std::string& scalar);
-void add_window_option(CLI::App& command, FrameOptions& options);
-void add_leaf_option(CLI::App& command, Leaf& leaf);
+void add_frame_options(const Command& command, FrameOptions& options);
+void add_scalar_option(const Command& command, std::string& scalar);
+void add_window_option(const Command& command, FrameOptions& options);
+void add_leaf_option(const Command& command, Leaf& leaf);
 
 /// What the loader has to remark on a scene, on stderr, a line each.
 void print_warnings(const Scene& scene);
@@ -75,7 +72,7 @@ struct ImageOutput {
   std::string file;
   PngFormat format;
 
-  void add(CLI::App& command);
+  void add(const Command& command);
 };
 
 /// A file named on the command line, "-" for stdout, opened before the work begins so that a mistake shows at once.

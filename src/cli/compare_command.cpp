@@ -8,7 +8,6 @@
 #include "cli/compare_runs.h"
 #include "cli/output_plan.h"
 #include "cli/statistics_document.h"
-#include "cli/whole_number.h"
 #include "error.h"
 #include "image/compare_view.h"
 #include "image/image_error.h"
@@ -38,8 +37,9 @@ struct CompareCommand {
   std::string at;
   int scale = 6;
   std::string stats;
+  std::optional<Command> command;  ///< set where it is added
 
-  void run(const std::vector<std::string>& picture_options) const {
+  void run() const {
     OutputPlan plan;
     plan.reads("FIRST", first);
     plan.reads("SECOND", second);
@@ -50,7 +50,9 @@ struct CompareCommand {
       throw UsageError(fmt::format(
           "compare {} {}: two pictures (.png, .pfm) or the statistics of two runs (.json) are allowed", first, second));
     }
-    if (!picture_options.empty()) throw UsageError(picture_options.front() + ": allowed where pictures are compared");
+    for (const char* option : {"-o", "--png-bits", "--png-encoding", "--crop", "--at", "--scale"}) {
+      if (command->given(option)) throw UsageError(fmt::format("{}: allowed where pictures are compared", option));
+    }
     compare_runs(plan.table());
   }
 
@@ -95,30 +97,22 @@ struct CompareCommand {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, Action& action) {
+void add_compare_command(const Command& program) {
   auto options = std::make_shared<CompareCommand>();
-  CLI::App* command = app.add_subcommand(
+  const Command command = program.add_command(
       "compare",
-      "Errors between two pictures, and both enlarged where they differ most; or what differs between two runs.");
-  command
-      ->add_option("FIRST", options->first, "picture (.png or .pfm; composed over black), or a run's --stats (.json)")
-      ->required();
-  command->add_option("SECOND", options->second, "picture of the same size, or another run's")->required();
-  options->image.add(*command);
-  command->add_option("--crop", options->crop, "size of the enlarged part")
-      ->type_name("COLUMNSxROWS")
-      ->capture_default_str();
-  command->add_option("--at", options->at, "its upper left pixel; where the pictures differ most without it")
-      ->type_name("COLUMN,ROW");
-  add_whole_number(*command, "--scale", options->scale, 1, 64, "enlargement")->default_str("6");
-  command->add_option("--stats", options->stats, "the result as JSON; - for stdout")->type_name("FILE|-");
-  command->callback([&action, options, command] {
-    std::vector<std::string> picture_options;
-    for (const char* name : {"-o", "--png-bits", "--png-encoding", "--crop", "--at", "--scale"}) {
-      if (command->count(name) > 0) picture_options.emplace_back(name);
-    }
-    action = [options, picture_options] { options->run(picture_options); };
-  });
+      "Errors between two pictures, and both enlarged where they differ most; or what differs between two runs.",
+      [options] { options->run(); });
+  options->command = command;
+  command.add_text("FIRST", options->first, "picture (.png or .pfm; composed over black), or a run's --stats (.json)")
+      .required();
+  command.add_text("SECOND", options->second, "picture of the same size, or another run's").required();
+  options->image.add(command);
+  command.add_text("--crop", options->crop, "size of the enlarged part").type_name("COLUMNSxROWS").show_default();
+  command.add_text("--at", options->at, "its upper left pixel; where the pictures differ most without it")
+      .type_name("COLUMN,ROW");
+  command.add_integer("--scale", options->scale, 1, 64, "enlargement").show_default();
+  command.add_text("--stats", options->stats, "the result as JSON; - for stdout").type_name("FILE|-");
 }
 
 }  // namespace pyrasim::cli

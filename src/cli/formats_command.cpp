@@ -63,9 +63,8 @@ void print_formats() {
 
 }  // namespace
 
-void add_formats_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("formats", "List the number formats that --scalar takes: bits and range.");
-  command->callback([&action] { action = print_formats; });
+void add_formats_command(const Command& program) {
+  program.add_command("formats", "List the number formats that --scalar takes: bits and range.", print_formats);
 }
 
 }  // namespace pyrasim::cli

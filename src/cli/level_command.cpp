@@ -5,7 +5,6 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/between.h"
 #include "cli/command.h"
 #include "error.h"
 #include "pyramid/max_level.h"
@@ -46,21 +45,17 @@ struct LevelCommand {
 
 }  // namespace
 
-void add_level_command(CLI::App& app, Action& action) {
+void add_level_command(const Command& program) {
   auto options = std::make_shared<LevelCommand>();
-  CLI::App* command = app.add_subcommand(
+  const Command command = program.add_command(
       "level",
       "The MAX_LEVEL criterion step by step: from a scene's screen, from a pixel's size and the viewing "
-      "distance, or else for the article's display of 2^-10 rad a pixel.");
-  command->add_option("SCENE", options->scene, "scene file: its pixels seen from its centre of projection");
-  command->add_option("--pixel-size", options->pixel_size, "side of a pixel, in any unit of length")
-      ->check(between(1e-30, 1e30));
-  command->add_option("--distance", options->distance, "from the eye to the screen, in the same unit")
-      ->check(between(1e-30, 1e30));
-  command->add_option("--eye", options->eye, "angle that the eye resolves, rad")
-      ->check(between(1e-12, 1))
-      ->default_str("2^-13");
-  command->callback([&action, options] { action = [options] { options->run(); }; });
+      "distance, or else for the article's display of 2^-10 rad a pixel.",
+      [options] { options->run(); });
+  command.add_text("SCENE", options->scene, "scene file: its pixels seen from its centre of projection");
+  command.add_number("--pixel-size", options->pixel_size, 1e-30, 1e30, "side of a pixel, in any unit of length");
+  command.add_number("--distance", options->distance, 1e-30, 1e30, "from the eye to the screen, in the same unit");
+  command.add_number("--eye", options->eye, 1e-12, 1, "angle that the eye resolves, rad").show_default("2^-13");
 }
 
 }  // namespace pyrasim::cli

@@ -6,7 +6,6 @@
 #include <systemc>
 
 #include "cli/command.h"
-#include "cli/usage.h"
 #include "error.h"
 #include "files/standard_descriptors.h"
 #include "text/printable.h"
@@ -21,43 +20,29 @@ void report(const sc_core::sc_report& report, const sc_core::sc_actions& actions
   if ((actions & sc_core::SC_THROW) != 0) throw report;
 }
 
-/// Help, or a mistake on the command line.
-int finish_parsing(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);
-  std::cerr << "pyrasim: " << pyrasim::cli::usage_mistake(app, error) << '\n';
-  return pyrasim::exit_usage;
-}
-
 int run(int argc, char** argv) {
   using namespace pyrasim;
   sc_core::sc_report_handler::set_handler(report);
   cli::set_command_line(argc, argv);
-  CLI::App app(
+  cli::CommandParser parser(
+      "pyrasim",
       "pyrasim: what does a picture cost, in rays, cycles and accuracy?\n"
       "Edge anti-aliasing in ray tracing by pixel pyramids, rendered and simulated cycle by cycle.",
-      "pyrasim");
-  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  app.set_version_flag("--version", fmt::format("pyrasim {}", version()));
-  app.require_subcommand(0, 1);  // that there is one is checked below: the name of an unknown one is worth a word
-  app.footer("Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit, 128 + N ended by signal N.");
-  cli::Action action;
-  cli::add_render_command(app, action);
-  cli::add_simulate_command(app, action);
-  cli::add_sweep_command(app, action);
-  cli::add_budget_command(app, action);
-  cli::add_study_command(app, action);
-  cli::add_compare_command(app, action);
-  cli::add_check_command(app, action);
-  cli::add_level_command(app, action);
-  cli::add_formats_command(app, action);
-  cli::refuse_empty_values(app);
+      std::string(version()),
+      "Exit codes: 0 done, 1 a run failed, 2 usage, 3 input, 4 deadlock or limit, 128 + N ended by signal N.");
+  const cli::Command program = parser.root();
+  cli::add_render_command(program);
+  cli::add_simulate_command(program);
+  cli::add_sweep_command(program);
+  cli::add_budget_command(program);
+  cli::add_study_command(program);
+  cli::add_compare_command(program);
+  cli::add_check_command(program);
+  cli::add_level_command(program);
+  cli::add_formats_command(program);
   try {
-    app.parse(argc, argv);
-    if (!action) throw CLI::RequiredError("A command");
-    action();
+    if (const auto action = parser.parse(argc, argv)) (*action)();
     return exit_ok;
-  } catch (const CLI::ParseError& error) {
-    return finish_parsing(app, error);
   } catch (const LimitError& error) {  // of several lines: the state of the machine
     std::cerr << "pyrasim: " << error.what() << '\n';
     return error.exit_code();

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <charconv>
 #include <iostream>
 
-#include "cli/choice.h"
 #include "cli/command.h"
-#include "cli/whole_number.h"
 #include "error.h"
 #include "pyramid/max_level.h"
 #include "scene/load_scene.h"
@@ -32,35 +31,35 @@ DatapathFormats FrameOptions::formats(const Screen& screen, std::int64_t steps) 
   return parsed;
 }
 
-void add_frame_options(CLI::App& command, FrameOptions& options) {
-  command.add_option("SCENE", options.scene, "scene file (JSON)")->required();
-  command.add_option("--size", options.size, "pixels of the screen; its width, distance and the pixel's aspect stay")
-      ->type_name("COLUMNSxROWS");
-  command.add_option("--max-level", options.max_level, "deepest level of subdivision, or auto: what the eye can tell")
-      ->type_name("L|auto")
-      ->capture_default_str();
+void add_frame_options(const Command& command, FrameOptions& options) {
+  command.add_text("SCENE", options.scene, "scene file (JSON)").required();
+  command.add_text("--size", options.size, "pixels of the screen; its width, distance and the pixel's aspect stay")
+      .type_name("COLUMNSxROWS");
+  command.add_text("--max-level", options.max_level, "deepest level of subdivision, or auto: what the eye can tell")
+      .type_name("L|auto")
+      .show_default();
   add_leaf_option(command, options.leaf);
 }
 
-void add_leaf_option(CLI::App& command, Leaf& leaf) {
-  add_choice(command, "--leaf", leaf, {{"mean", Leaf::mean}, {"drop", Leaf::drop}},
-             "an edge at the deepest level: mean of its corners, or drop (background)");
+void add_leaf_option(const Command& command, Leaf& leaf) {
+  command.add_choice<Leaf>("--leaf", leaf, {{"mean", Leaf::mean}, {"drop", Leaf::drop}},
+                           "an edge at the deepest level: mean of its corners, or drop (background)");
 }
 
-void add_scalar_option(CLI::App& command, std::string& scalar) {
+void add_scalar_option(const Command& command, std::string& scalar) {
   command
-      .add_option("--scalar", scalar,
-                  "number format of the datapath, or of each stage: view_vectors=FORMAT,intersection=FORMAT; "
-                  "pyrasim formats lists them")
-      ->type_name("FORMAT")
-      ->capture_default_str();
+      .add_text("--scalar", scalar,
+                "number format of the datapath, or of each stage: view_vectors=FORMAT,intersection=FORMAT; "
+                "pyrasim formats lists them")
+      .type_name("FORMAT")
+      .show_default();
 }
 
-void add_window_option(CLI::App& command, FrameOptions& options) {
+void add_window_option(const Command& command, FrameOptions& options) {
   command
-      .add_option("--window", options.window,
-                  "only this part of the screen: its left column and top row, from 0, and its size, in pixels")
-      ->type_name("X,Y,COLUMNS,ROWS");
+      .add_text("--window", options.window,
+                "only this part of the screen: its left column and top row, from 0, and its size, in pixels")
+      .type_name("X,Y,COLUMNS,ROWS");
 }
 
 void print_warnings(const Scene& scene) {
@@ -69,7 +68,8 @@ void print_warnings(const Scene& scene) {
 
 int parse_number(const std::string& text, int least, int most, const std::string& what) {
   int number = 0;
-  if (!read_whole_number(text, least, most, number)) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < least || number > most) {
     throw UsageError(fmt::format("{} {}: a whole number from {} to {} is allowed", what,
                                  text.empty() ? "(empty)" : text, least, most));
   }

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/choice.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "error.h"
@@ -55,15 +54,15 @@ const std::string& command_line() { return stored_command_line(); }
 
 void set_command_line(int argc, char** argv) {
   std::string line = "pyrasim";
-  for (int k = 1; k < argc; ++k) line += " " + quoted(argv[k]);
+  for (int k = 1; k < argc; ++k) line.append(1, ' ').append(quoted(argv[k]));
   stored_command_line() = line;
 }
 
-void ImageOutput::add(CLI::App& command) {
-  command.add_option("-o,--output", file, "picture to write: .png or .pfm")->type_name("IMAGE");
-  add_choice(command, "--png-bits", format.bits, {{"8", 8}, {"16", 16}}, "bits a PNG sample");
-  add_choice(command, "--png-encoding", format.srgb, {{"srgb", true}, {"linear", false}},
-             "transfer function of a PNG, stated in the file");
+void ImageOutput::add(const Command& command) {
+  command.add_text("-o,--output", file, "picture to write: .png or .pfm").type_name("IMAGE");
+  command.add_choice<int>("--png-bits", format.bits, {{"8", 8}, {"16", 16}}, "bits a PNG sample");
+  command.add_choice<bool>("--png-encoding", format.srgb, {{"srgb", true}, {"linear", false}},
+                           "transfer function of a PNG, stated in the file");
 }
 
 struct TextOutput::File {

@@ -6,13 +6,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/choice.h"
 #include "cli/command.h"
 #include "cli/frame_table.h"
 #include "cli/interrupt.h"
 #include "cli/output_plan.h"
 #include "cli/statistics_document.h"
-#include "cli/whole_number.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -56,26 +54,26 @@ struct RenderCommand {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, Action& action) {
+void add_render_command(const Command& program) {
   auto options = std::make_shared<RenderCommand>();
-  CLI::App* command = app.add_subcommand(
-      "render", "Render a frame without timing, by pyramids or by a peer; without -o and --stats, print its counts.");
-  add_frame_options(*command, options->frame);
-  add_window_option(*command, options->frame);
-  add_scalar_option(*command, options->frame.scalar);
-  options->image.add(*command);
-  command->add_option("--method", options->method, "pyramids, or a peer: N x N rays a pixel, regular or jittered")
-      ->type_name("pyramid|point|grid:N|jitter:N")
-      ->capture_default_str();
-  add_choice(*command, "--reuse", options->reuse,
-             {{"none", Reuse::none}, {"pixel", Reuse::pixel}, {"frame", Reuse::frame}},
-             "which points are traced once only: none, a pixel's, the frame's");
-  add_whole_number(*command, "--seed", options->seed, std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max(),
-                   "of jitter:N")
-      ->default_str("1");
-  add_threads_option(*command, options->threads);
-  command->add_option("--stats", options->stats, "statistics as JSON; - for stdout")->type_name("FILE|-");
-  command->callback([&action, options] { action = [options] { options->run(); }; });
+  const Command command = program.add_command(
+      "render", "Render a frame without timing, by pyramids or by a peer; without -o and --stats, print its counts.",
+      [options] { options->run(); });
+  add_frame_options(command, options->frame);
+  add_window_option(command, options->frame);
+  add_scalar_option(command, options->frame.scalar);
+  options->image.add(command);
+  command.add_text("--method", options->method, "pyramids, or a peer: N x N rays a pixel, regular or jittered")
+      .type_name("pyramid|point|grid:N|jitter:N")
+      .show_default();
+  command.add_choice<Reuse>("--reuse", options->reuse,
+                            {{"none", Reuse::none}, {"pixel", Reuse::pixel}, {"frame", Reuse::frame}},
+                            "which points are traced once only: none, a pixel's, the frame's");
+  command.add_integer("--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(), "of jitter:N")
+      .show_default();
+  command.add_integer("--threads", options->threads, 0, 1024, "0: one for each core; results do not depend on it")
+      .show_default();
+  command.add_text("--stats", options->stats, "statistics as JSON; - for stdout").type_name("FILE|-");
 }
 
 }  // namespace pyrasim::cli

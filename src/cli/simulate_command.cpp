@@ -5,13 +5,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/choice.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
 #include "cli/statistics_document.h"
-#include "cli/whole_number.h"
 #include "hw_model/report/deadlock.h"
 #include "hw_model/trace/occupancy.h"
 #include "hw_model/trace/vcd_trace.h"
@@ -76,22 +74,25 @@ struct SimulateCommand {
 
 }  // namespace
 
-void add_simulate_command(CLI::App& app, Action& action) {
+void add_simulate_command(const Command& program) {
   auto options = std::make_shared<SimulateCommand>();
-  CLI::App* command = app.add_subcommand("simulate", "Simulate a frame on a machine, cycle by cycle.");
-  add_frame_options(*command, options->frame);
-  add_window_option(*command, options->frame);
-  add_scalar_option(*command, options->frame.scalar);
-  options->image.add(*command);
-  options->machine.add(*command);
-  add_choice(*command, "--engine", options->engine,
-             {{"decoupled", hw::Engine::decoupled}, {"lockstep", hw::Engine::lockstep}},
-             "decoupled is fast; lockstep is plain SystemC, with the same cycles");
-  add_threads_option(*command, options->threads, "a second one traces ahead; ");
-  command->add_option("--stats", options->stats, "statistics as JSON; - for stdout")->type_name("FILE|-");
-  command->add_option("--trace", options->trace, "states of units and fill of FIFOs over time; - for stdout")
-      ->type_name("FILE.vcd|-");
-  command->callback([&action, options] { action = [options] { options->run(); }; });
+  const Command command =
+      program.add_command("simulate", "Simulate a frame on a machine, cycle by cycle.", [options] { options->run(); });
+  add_frame_options(command, options->frame);
+  add_window_option(command, options->frame);
+  add_scalar_option(command, options->frame.scalar);
+  options->image.add(command);
+  options->machine.add(command);
+  command.add_choice<hw::Engine>("--engine", options->engine,
+                                 {{"decoupled", hw::Engine::decoupled}, {"lockstep", hw::Engine::lockstep}},
+                                 "decoupled is fast; lockstep is plain SystemC, with the same cycles");
+  command
+      .add_integer("--threads", options->threads, 0, 1024,
+                   "0: one for each core; a second one traces ahead; results do not depend on it")
+      .show_default();
+  command.add_text("--stats", options->stats, "statistics as JSON; - for stdout").type_name("FILE|-");
+  command.add_text("--trace", options->trace, "states of units and fill of FIFOs over time; - for stdout")
+      .type_name("FILE.vcd|-");
 }
 
 }  // namespace pyrasim::cli

@@ -13,7 +13,6 @@
 #include "cli/output_plan.h"
 #include "cli/row_output.h"
 #include "cli/run_apart.h"
-#include "cli/whole_number.h"
 #include "error.h"
 #include "hw_model/processor.h"
 #include "hw_model/report/deadlock.h"
@@ -175,25 +174,22 @@ struct NumericsStudy {
 
 }  // namespace
 
-void add_study_command(CLI::App& app, Action& action) {
-  CLI::App* study = app.add_subcommand("study", "Measure what a choice costs, over all its values.");
-  study->require_subcommand(0, 1);  // so that the name of an unknown one shows
-  study->callback([study] {
-    if (study->get_subcommands().empty()) throw CLI::RequiredError("study: numerics");
-  });
+void add_study_command(const Command& program) {
+  const Command study = program.add_group("study", "Measure what a choice costs, over all its values.");
   auto options = std::make_shared<NumericsStudy>();
-  CLI::App* command =
-      study->add_subcommand("numerics",
-                            "Simulate a frame in every number format and measure each against double; a row is "
-                            "written as soon as it is done.");
-  add_frame_options(*command, options->frame);
-  command->add_option("--formats", options->formats, "formats to study; all without it")->type_name("FORMAT,...");
-  options->machine.add(*command);
-  add_threads_option(*command, options->threads);
-  command->add_option("--csv", options->csv, "the rows with every count as CSV; - for stdout")->type_name("FILE|-");
-  command->add_option("--plot", options->plot, "changed pixels and decisions against bits; - for stdout")
-      ->type_name("FILE.svg|-");
-  command->callback([&action, options] { action = [options] { options->run(); }; });
+  const Command command = study.add_command("numerics",
+                                            "Simulate a frame in every number format and measure each against double; "
+                                            "a row is written as soon as it is done.",
+                                            [options] { options->run(); });
+  add_frame_options(command, options->frame);
+  command.add_text("--formats", options->formats, "formats to study; all that pyrasim formats lists without it")
+      .type_name("FORMAT,...");
+  options->machine.add(command);
+  command.add_integer("--threads", options->threads, 0, 1024, "0: one for each core; results do not depend on it")
+      .show_default();
+  command.add_text("--csv", options->csv, "the rows with every count as CSV; - for stdout").type_name("FILE|-");
+  command.add_text("--plot", options->plot, "changed pixels and decisions against bits; - for stdout")
+      .type_name("FILE.svg|-");
 }
 
 }  // namespace pyrasim::cli

@@ -157,22 +157,22 @@ struct SweepCommand {
 
 }  // namespace
 
-void add_sweep_command(CLI::App& app, Action& action) {
+void add_sweep_command(const Command& program) {
   auto options = std::make_shared<SweepCommand>();
-  CLI::App* command = app.add_subcommand(
+  const Command command = program.add_command(
       "sweep",
       "Simulate every combination of level, size and leaf, and measure each against a reference; a row is written as "
-      "soon as it is done.");
-  command->add_option("SCENE", options->scene, "scene file (JSON)")->required();
-  command->add_option("--max-level", options->levels, "levels")->type_name("FIRST:LAST|L,L,...")->capture_default_str();
-  command->add_option("--size", options->sizes, "screens; the scene's without it")->type_name("COLUMNSxROWS,...");
-  command->add_option("--leaf", options->leaves, "mean, drop or both")->type_name("mean,drop")->capture_default_str();
-  command->add_option("--reference", options->reference, "what errors are measured against")
-      ->type_name("METHOD")
-      ->capture_default_str();
-  options->machine.add(*command);
-  command->add_option("--csv", options->csv, "the rows as CSV; - for stdout")->type_name("FILE|-");
-  command->callback([&action, options] { action = [options] { options->run(); }; });
+      "soon as it is done.",
+      [options] { options->run(); });
+  command.add_text("SCENE", options->scene, "scene file (JSON)").required();
+  command.add_text("--max-level", options->levels, "levels").type_name("FIRST:LAST|L,L,...").show_default();
+  command.add_text("--size", options->sizes, "screens; the scene's without it").type_name("COLUMNSxROWS,...");
+  command.add_text("--leaf", options->leaves, "mean, drop or both").type_name("mean,drop").show_default();
+  command.add_text("--reference", options->reference, "what errors are measured against")
+      .type_name("METHOD")
+      .show_default();
+  options->machine.add(command);
+  command.add_text("--csv", options->csv, "the rows as CSV; - for stdout").type_name("FILE|-");
 }
 
 }  // namespace pyrasim::cli

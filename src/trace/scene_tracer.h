@@ -13,7 +13,10 @@ namespace pyrasim {
 template <class Scalar>
 class SceneTracer final : public Tracer {
  public:
-  explicit SceneTracer(const Scene& scene) : scene_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {}
+  explicit SceneTracer(const Scene& scene, Search search = Search::hierarchy)
+      : scene_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {
+    if (search == Search::exhaustive) scene_.root = scene_.everything;
+  }
 
   Sample trace(const glm::dvec3& view_vector, Work& work) const override;
   SceneContents contents() const override {

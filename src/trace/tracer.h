@@ -34,6 +34,10 @@ class Tracer {
   virtual SceneContents contents() const = 0;
 };
 
-std::unique_ptr<Tracer> make_tracer(const Scene& scene, const NumberFormat& format = {});
+/// How a tracer finds the nearest surface: by its hierarchy, or by testing every surface, to check the former.
+enum class Search : bool { hierarchy, exhaustive };
+
+std::unique_ptr<Tracer> make_tracer(const Scene& scene, const NumberFormat& format = {},
+                                    Search search = Search::hierarchy);
 
 }  // namespace pyrasim

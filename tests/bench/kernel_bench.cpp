@@ -5,21 +5,19 @@
 #include <array>
 #include <random>
 
+#include "../shipped_scene.h"
 #include "numeric/fix.h"
 #include "numeric/flt.h"
 #include "render/pyramid_renderer.h"
-#include "scene/load_scene.h"
 
 namespace {
 
 using namespace pyrasim;
 
-Scene shipped(const char* name) { return load_scene(std::string(PYRASIM_SOURCE_DIR) + "/scenes/" + name + ".json"); }
-
 /// One primary ray after the other in raster order; the counter is rays per second.
 template <class Scalar>
 void trace(benchmark::State& state, const char* name) {
-  const Scene scene = shipped(name);
+  const Scene scene = shipped_scene(name);
   const SceneTracer<Scalar> tracer(scene);
   const ViewVectors view_vectors(scene.camera.screen, 1, FormatOf<Scalar>::value);
   Work work;
@@ -39,7 +37,7 @@ void trace_float(benchmark::State& state, const char* name) { trace<float>(state
 
 /// A whole frame; arguments: MAX_LEVEL and threads.
 void frame(benchmark::State& state, const char* name) {
-  const Scene scene = shipped(name);
+  const Scene scene = shipped_scene(name);
   const SceneTracer<double> tracer(scene);
   const PyramidOptions options{static_cast<int>(state.range(0)), Leaf::mean, Reuse::none,
                                static_cast<int>(state.range(1))};
@@ -50,7 +48,7 @@ void frame(benchmark::State& state, const char* name) {
 
 /// From the loaded scene to one that is ready to be traced: the hierarchy, mostly.
 void prepare(benchmark::State& state, const char* name) {
-  const Scene scene = shipped(name);
+  const Scene scene = shipped_scene(name);
   for (auto _ : state) benchmark::DoNotOptimize(prepare_scene(scene, {}).root);
 }
 

@@ -2,10 +2,8 @@
 // Every shipped scene on machines of several sizes and on both engines, against the reference renderer.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
+#include "../shipped_scene.h"
 #include "image/image_hash.h"
-#include "scene/load_scene.h"
 #include "simulation.h"
 
 namespace pyrasim::hw {
@@ -26,8 +24,7 @@ class Matrix : public testing::TestWithParam<Case> {};
 
 TEST_P(Matrix, EnginesAgreeAndResultsAreTheReferences) {
   const Case& parameters = GetParam();
-  const std::filesystem::path scenes = std::filesystem::path(PYRASIM_SOURCE_DIR) / "scenes";
-  Scene scene = load_scene(scenes / (std::string(parameters.scene) + ".json"));
+  Scene scene = shipped_scene(parameters.scene);
   scene.camera.screen = resized(scene.camera.screen, parameters.columns, parameters.rows);
   Simulation simulation;
   std::vector<std::pair<Processor*, Processor*>> pairs;

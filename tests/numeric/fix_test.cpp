@@ -5,119 +5,108 @@
 #include <gtest/gtest.h>
 
 #include "fix_operands.h"
+#include "fix_operations.h"
 #include "fix_oracle.h"
 
 namespace pyrasim {
 namespace {
 
 /// One format in one pair of modes.
-template <int W, int F, Rounding R, Overflow O>
 class Comparison {
-  using Number = Fix<W, F, R, O>;
-
  public:
+  explicit Comparison(const FixOperations& fix) : fix_(fix) {}
+
   void run(int trials) {
-    using Limits = std::numeric_limits<Number>;
-    FixOperands operands(Limits::lowest().raw(), Limits::max().raw(), F,
-                         static_cast<std::uint64_t>(W * 100 + F * 28 + static_cast<int>(R) * 4 + static_cast<int>(O)));
+    FixOperands operands(fix_.smallest, fix_.largest, fix_.fraction_bits, fix_.seed());
     for (int trial = 0; trial < trials; ++trial) {
       compare(operands(), operands());
-      compare_conversion(std::ldexp(static_cast<double>(operands()), -F - static_cast<int>(operands.draw(-3, W))));
+      compare_conversion(std::ldexp(static_cast<double>(operands()),
+                                    -fix_.fraction_bits - static_cast<int>(operands.draw(-3, fix_.bits))));
     }
-    ASSERT_EQ(mismatches_, 0) << "Fix<" << W << ", " << F << "> rounding " << static_cast<int>(R) << " overflow "
-                              << static_cast<int>(O);
+    ASSERT_EQ(mismatches_, 0) << "Fix<" << fix_.bits << ", " << fix_.fraction_bits << "> rounding "
+                              << static_cast<int>(fix_.rounding) << " overflow " << static_cast<int>(fix_.overflow);
   }
 
  private:
   void compare(std::int64_t a, std::int64_t b) {
-    const auto x = Number::from_raw(a);
-    const auto y = Number::from_raw(b);
     const mpz_class p = to_mpz(a);
     const mpz_class q = to_mpz(b);
-    const mpz_class one = mpz_class(1) << static_cast<unsigned>(F);
+    const mpz_class one = mpz_class(1) << static_cast<unsigned>(fix_.fraction_bits);
+    const auto expect = [&](const char* operation, auto compute, const mpq_class& exact) {
+      arithmetic_events = {};
+      const std::int64_t result = compute();
+      expect_result(operation, a, b, result, exact);
+    };
     expect(
-        "+", a, b, [&] { return x + y; }, mpq_class(p + q));
+        "+", [&] { return fix_.add(a, b); }, mpq_class(p + q));
     expect(
-        "-", a, b, [&] { return x - y; }, mpq_class(p - q));
+        "-", [&] { return fix_.subtract(a, b); }, mpq_class(p - q));
     expect(
-        "negation", a, b, [&] { return -x; }, mpq_class(-p));
+        "negation", [&] { return fix_.negate(a); }, mpq_class(-p));
     mpq_class exact(p * q, one);
     exact.canonicalize();
     expect(
-        "*", a, b, [&] { return x * y; }, exact);
+        "*", [&] { return fix_.multiply(a, b); }, exact);
     if (b != 0) {
       exact = mpq_class(p * one, q);
       exact.canonicalize();
       expect(
-          "/", a, b, [&] { return x / y; }, exact);
+          "/", [&] { return fix_.divide(a, b); }, exact);
     }
-    if (a >= 0 && to_mpz(sqrt(x).raw()) != oracle_limited(oracle_root(p * one, R), W, O)) fail("sqrt", a, b);
+    if (a < 0) return;
+    const mpz_class root = oracle_limited(oracle_root(p * one, fix_.rounding), fix_.bits, fix_.overflow);
+    if (to_mpz(fix_.square_root(a)) != root) fail("sqrt", a, b);
   }
 
   void compare_conversion(double x) {
     mpq_class exact(x);
-    mpq_mul_2exp(exact.get_mpq_t(), exact.get_mpq_t(), F);
-    expect(
-        "conversion", 0, 0, [&] { return Number(x); }, exact);
+    mpq_mul_2exp(exact.get_mpq_t(), exact.get_mpq_t(), static_cast<unsigned>(fix_.fraction_bits));
+    arithmetic_events = {};
+    const std::int64_t result = fix_.convert(x);
+    expect_result("conversion", 0, 0, result, exact);
   }
 
-  template <class Compute>
-  void expect(const char* operation, std::int64_t a, std::int64_t b, Compute compute, const mpq_class& exact) {
-    arithmetic_events = {};
-    const Number result = compute();
-    const mpz_class unlimited = oracle_rounded(exact, R);
-    const mpz_class limited = oracle_limited(unlimited, W, O);
+  void expect_result(const char* operation, std::int64_t a, std::int64_t b, std::int64_t result,
+                     const mpq_class& exact) {
+    const mpz_class unlimited = oracle_rounded(exact, fix_.rounding);
+    const mpz_class limited = oracle_limited(unlimited, fix_.bits, fix_.overflow);
     ArithmeticEvents events;
     events.saturations = limited != unlimited ? 1 : 0;
     events.inexact = exact != limited ? 1 : 0;
     events.underflows = exact != 0 && unlimited == 0 ? 1 : 0;
-    if (to_mpz(result.raw()) != limited || !(arithmetic_events == events)) fail(operation, a, b);
+    if (to_mpz(result) != limited || !(arithmetic_events == events)) fail(operation, a, b);
   }
 
   void fail(const char* operation, std::int64_t a, std::int64_t b) {
     if (++mismatches_ <= 3) ADD_FAILURE() << operation << " of " << a << " and " << b;
   }
 
+  FixOperations fix_;
   int mismatches_ = 0;
 };
 
-template <int W, int F, Rounding R>
-void run_overflow_modes(int trials) {
-  Comparison<W, F, R, Overflow::SC_SAT>().run(trials);
-  Comparison<W, F, R, Overflow::SC_SAT_ZERO>().run(trials);
-  Comparison<W, F, R, Overflow::SC_SAT_SYM>().run(trials);
-  Comparison<W, F, R, Overflow::SC_WRAP>().run(trials);
-}
-
-template <int W, int F>
-void run_modes(int trials) {
-  run_overflow_modes<W, F, Rounding::SC_RND>(trials);
-  run_overflow_modes<W, F, Rounding::SC_RND_ZERO>(trials);
-  run_overflow_modes<W, F, Rounding::SC_RND_MIN_INF>(trials);
-  run_overflow_modes<W, F, Rounding::SC_RND_INF>(trials);
-  run_overflow_modes<W, F, Rounding::SC_RND_CONV>(trials);
-  run_overflow_modes<W, F, Rounding::SC_TRN>(trials);
-  run_overflow_modes<W, F, Rounding::SC_TRN_ZERO>(trials);
+void run_modes(const std::vector<FixOperations>& modes) {
+  for (const FixOperations& fix : modes) Comparison(fix).run(6000);
 }
 
 // 7 * 4 modes, 6 formats: 1 008 000 pairs for each operation.
 TEST(Fix, AllModesAreExactIn64Bits) {
-  run_modes<64, 28>(6000);
-  run_modes<64, 62>(6000);
-  run_modes<64, 0>(6000);
+  run_modes(fix_in_all_modes<64, 28>());
+  run_modes(fix_in_all_modes<64, 62>());
+  run_modes(fix_in_all_modes<64, 0>());
 }
 TEST(Fix, AllModesAreExactInFewerBits) {
-  run_modes<48, 20>(6000);
-  run_modes<32, 16>(6000);
-  run_modes<9, 4>(6000);
+  run_modes(fix_in_all_modes<48, 20>());
+  run_modes(fix_in_all_modes<32, 16>());
+  run_modes(fix_in_all_modes<9, 4>());
 }
 
 TEST(Fix, DefaultModesAreExactInAllFractions) {
-  Comparison<64, 12, Rounding::SC_RND_CONV, Overflow::SC_SAT>().run(20000);
-  Comparison<64, 20, Rounding::SC_RND_CONV, Overflow::SC_SAT>().run(20000);
-  Comparison<64, 32, Rounding::SC_RND_CONV, Overflow::SC_SAT>().run(20000);
-  Comparison<33, 32, Rounding::SC_RND_CONV, Overflow::SC_SAT>().run(20000);
-  Comparison<2, 1, Rounding::SC_RND_CONV, Overflow::SC_SAT>().run(2000);
+  Comparison(fix_operations<64, 12>()).run(20000);
+  Comparison(fix_operations<64, 20>()).run(20000);
+  Comparison(fix_operations<64, 32>()).run(20000);
+  Comparison(fix_operations<33, 32>()).run(20000);
+  Comparison(fix_operations<2, 1>()).run(2000);
 }
 
 using Small = Fix<16, 8>;  // -128 to 128 - 2^-8

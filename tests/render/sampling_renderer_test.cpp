@@ -3,11 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
+#include "../shipped_scene.h"
 #include "../test_scenes.h"
 #include "image/image_error.h"
-#include "scene/load_scene.h"
 
 namespace pyrasim {
 namespace {
@@ -71,7 +69,7 @@ TEST(SamplingRenderer, PeersConvergeToOnePicture) {
 
 /// What the method is for: each level brings the picture nearer to the truth, and mean leaves beat dropped ones.
 TEST(PyramidError, FallsWithMaxLevelOnKeel) {
-  Scene scene = load_scene(std::filesystem::path(PYRASIM_SOURCE_DIR) / "scenes" / "keel.json");
+  Scene scene = shipped_scene("keel");
   scene.camera.screen = resized(scene.camera.screen, 128, 96);
   const SceneTracer<double> tracer(scene);
   const Image truth = render_samples(scene, tracer, {.grid = 32}).image;

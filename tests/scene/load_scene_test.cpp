@@ -8,6 +8,7 @@
 #include <string>
 
 #include "../error_of.h"
+#include "../shipped_scene.h"
 #include "error.h"
 #include "temp_folder.h"
 
@@ -116,21 +117,16 @@ glm::dvec3 normal(const Mesh& mesh, std::size_t triangle) {
 class ShippedScene : public testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedScene, LoadsWithoutWarnings) {
-  const Scene scene = load_scene(std::filesystem::path(PYRASIM_SOURCE_DIR) / "scenes" / GetParam());
+  const Scene scene = shipped_scene(GetParam());
   EXPECT_FALSE(scene.objects.empty());
   EXPECT_TRUE(scene.warnings.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("keel.json", "spheres.json", "fins.json", "bunny.json"),
-                         [](const auto& parameter) {
-                           const std::string name = parameter.param;
-                           return name.substr(0, name.find('.'));
-                         });
-
-Scene shipped(const char* name) { return load_scene(std::filesystem::path(PYRASIM_SOURCE_DIR) / "scenes" / name); }
+INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("keel", "spheres", "fins", "bunny"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
 
 TEST(ShippedScenes, KeelsFinAndRudderAreOneFlatObjectEach) {
-  const Scene scene = shipped("keel.json");
+  const Scene scene = shipped_scene("keel");
   for (const std::size_t i : {0U, 1U}) {
     const auto& mesh = std::get<Mesh>(scene.objects[i].surface);
     const glm::dvec3 first = normal(mesh, 0);
@@ -139,7 +135,7 @@ TEST(ShippedScenes, KeelsFinAndRudderAreOneFlatObjectEach) {
 }
 
 TEST(ShippedScenes, SpheresAreFiftyOverTwoAndAHalfDecades) {
-  const Scene scene = shipped("spheres.json");
+  const Scene scene = shipped_scene("spheres");
   EXPECT_EQ(scene.objects.size(), 50U);
   double smallest = 1e30;
   double largest = 0;
@@ -152,13 +148,13 @@ TEST(ShippedScenes, SpheresAreFiftyOverTwoAndAHalfDecades) {
 }
 
 TEST(ShippedScenes, FinsAreSliversWithoutLight) {
-  const Scene scene = shipped("fins.json");
+  const Scene scene = shipped_scene("fins");
   EXPECT_EQ(scene.objects.size(), 24U);
   EXPECT_FALSE(scene.light);
 }
 
 TEST(ShippedScenes, BunnyHasAllItsTriangles) {
-  EXPECT_EQ(std::get<Mesh>(shipped("bunny.json").objects[0].surface).triangles.size(), 69666U);
+  EXPECT_EQ(std::get<Mesh>(shipped_scene("bunny").objects[0].surface).triangles.size(), 69666U);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: rays inside the faces and along the edges of bounding boxes.
 #include "formats.h"
-#include "trace/scene_tracer.h"
 
 namespace pyrasim {
 namespace {
@@ -24,25 +23,25 @@ Scene lattice() {
 
 TEST(ExtremesBoxFaces, RaysInThemMissNothing) {
   const Scene scene = lattice();
-  for_every_format([&]<class Scalar>() {
-    const SceneTracer<Scalar> tracer(scene);
-    ASSERT_GT(tracer.scene().nodes.size(), 1U);
+  for (const NumberFormat& format : number_formats()) {
+    SCOPED_TRACE(format.name());
+    const auto tracer = make_tracer(scene, format);
+    const auto exhaustive = make_tracer(scene, format, Search::exhaustive);
+    ASSERT_GT(tracer->contents().inner_nodes, 1U);
     int hits = 0;
     for (int y = -16; y <= 16; ++y) {
       for (int z = -16; z <= 16; ++z) {
         for (const double zero : {0.0, -0.0}) {
           const glm::dvec3 v(1, y == 0 ? zero : y / 16.0, z == 0 ? zero : z / 16.0);
           Work work;
-          const Sample sample = tracer.trace(v, work);
-          Walk<Scalar> all(tracer.scene(), to_scalar<Scalar>(v), work);
-          all.traverse(tracer.scene().everything);
-          ASSERT_EQ(sample, all.shade()) << y << " " << z;
+          const Sample sample = tracer->trace(v, work);
+          ASSERT_EQ(sample, exhaustive->trace(v, work)) << y << " " << z;
           hits += sample.object == no_object ? 0 : 1;
         }
       }
     }
     EXPECT_GT(hits, 200);
-  });
+  }
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // Extremes: surfaces in the same place. The first in the scene is seen, whatever the hierarchy and the format. (That
 // the machine's number of units does not matter: hw_model/coincident_test.cpp.)
 #include "formats.h"
-#include "trace/scene_tracer.h"
 
 namespace pyrasim {
 namespace {
@@ -23,18 +22,19 @@ const std::vector<Surface> surfaces{Sphere{{5, 0.3, -0.1}, 2}, Plane{{1, 0.25, 0
 TEST(ExtremesCoincident, TheFirstIsSeenInEveryFormat) {
   for (const Surface& surface : surfaces) {
     const Scene scene = with_copies(surface, 40);
-    for_every_format([&]<class Scalar>() {
-      const SceneTracer<Scalar> tracer(scene);
+    for (const NumberFormat& format : number_formats()) {
+      SCOPED_TRACE(format.name());
+      const auto tracer = make_tracer(scene, format);
       int seen = 0;
       for (int k = 0; k < 200; ++k) {
         Work work;
-        const auto object = tracer.trace({1, 0.02 * (k / 14 - 7), 0.02 * (k % 14 - 7)}, work).object;
+        const auto object = tracer->trace({1, 0.02 * (k / 14 - 7), 0.02 * (k % 14 - 7)}, work).object;
         if (object == no_object || object % 5 == 4) continue;  // one of the small ones, or none
         ASSERT_EQ(object, 0U) << k;
         ++seen;
       }
       EXPECT_GT(seen, 60);
-    });
+    }
   }
 }
 
@@ -51,7 +51,8 @@ TEST(ExtremesCoincident, TenThousandOfThem) {
 /// Different surfaces that touch at what a format sees as one place: any may be first, but it is the scene's order that
 /// says which, not the hierarchy's.
 TEST(ExtremesCoincident, TheHierarchyDoesNotDecide) {
-  for_every_format([]<class Scalar>() {
+  for (const NumberFormat& format : number_formats()) {
+    SCOPED_TRACE(format.name());
     Random random(13);
     Scene scene = empty_scene(16, 16, 0.05);
     for (int k = 0; k < 60; ++k) {
@@ -60,16 +61,14 @@ TEST(ExtremesCoincident, TheHierarchyDoesNotDecide) {
       scene.objects.push_back(
           object(Triangle{{place - glm::dvec3(0, 1, 1), place + glm::dvec3(0, 2, 0), place + glm::dvec3(0, 0, 2)}}));
     }
-    const SceneTracer<Scalar> tracer(scene);
+    const auto tracer = make_tracer(scene, format);
+    const auto exhaustive = make_tracer(scene, format, Search::exhaustive);
     for (int k = 0; k < 1000; ++k) {
       const glm::dvec3 v(1, 0.0125 * (k % 32 - 16), 0.025 * (k / 32 - 16));
       Work work;
-      const Sample sample = tracer.trace(v, work);
-      Walk<Scalar> all(tracer.scene(), to_scalar<Scalar>(v), work);
-      all.traverse(tracer.scene().everything);
-      ASSERT_EQ(sample, all.shade()) << k;
+      ASSERT_EQ(tracer->trace(v, work), exhaustive->trace(v, work)) << k;
     }
-  });
+  }
 }
 
 }  // namespace

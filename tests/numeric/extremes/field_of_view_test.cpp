@@ -4,7 +4,6 @@
 
 #include "../real.h"
 #include "formats.h"
-#include "trace/scene_tracer.h"
 
 namespace pyrasim {
 namespace {
@@ -71,11 +70,11 @@ Scene spheres_in_view(double degrees) {
 /// which that is more than a pixel have no picture of such a view: the rounding of centres moves spheres by as much.
 void expect_as_the_oracle(double degrees) {
   const Scene scene = spheres_in_view(degrees);
-  for_every_format([&]<class Scalar>() {
-    const NumberFormat format = FormatOf<Scalar>::value;
-    const double roundings = std::ldexp(8, -significand_bits<Scalar>);
-    if (!is_floating<Scalar> || roundings > scene.camera.screen.dy) return;
-    const SceneTracer<Scalar> tracer(scene);
+  for (const NumberFormat& format : number_formats()) {
+    SCOPED_TRACE(format.name());
+    const double roundings = std::ldexp(8, -format.significand_bits);
+    if (format.kind == NumberKind::fixed || roundings > scene.camera.screen.dy) continue;
+    const auto tracer = make_tracer(scene, format);
     const ViewVectors view_vectors(scene.camera.screen, 1, format);
     int hits = 0;
     int doubtful = 0;
@@ -83,7 +82,7 @@ void expect_as_the_oracle(double degrees) {
       for (std::uint32_t column = 0; column <= size; column += 2) {
         const glm::dvec3 v = view_vectors({row, column});
         Work work;
-        const auto seen = tracer.trace(v, work).object;
+        const auto seen = tracer->trace(v, work).object;
         const Exact exact = nearest_sphere(scene, v);
         if (exact.margin < roundings) {
           ++doubtful;
@@ -95,7 +94,7 @@ void expect_as_the_oracle(double degrees) {
     }
     print_figure(fmt::format("{} degrees", degrees), format, fmt::format("{} hits, {} doubtful", hits, doubtful));
     EXPECT_GE(hits, 10);
-  });
+  }
 }
 
 TEST(ExtremesFieldOfView, AThousandthOfADegree) { expect_as_the_oracle(0.001); }

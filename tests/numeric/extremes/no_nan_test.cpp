@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: no pixel of any picture in any format is NaN or infinite. What must not be in a scene at all is refused
 // when it is read: scene/load_scene_error_test.cpp and end_to_end/bad_input.py.
+#include "../../shipped_scene.h"
 #include "formats.h"
-#include "scene/load_scene.h"
 
 namespace pyrasim {
 namespace {
@@ -18,7 +18,7 @@ int pixels_without_a_color(const Image& image) {
 class ExtremesNoNan : public testing::TestWithParam<const char*> {};
 
 TEST_P(ExtremesNoNan, PixelsOfShippedScenes) {
-  Scene scene = load_scene(std::string(PYRASIM_SOURCE_DIR) + "/scenes/" + GetParam() + ".json");
+  Scene scene = shipped_scene(GetParam());
   scene.camera.screen = resized(scene.camera.screen, 24, 18);
   const bool large = std::string(GetParam()) == "bunny";
   for (const NumberFormat& format : number_formats()) {

@@ -39,13 +39,12 @@ Scene askew_scene() {
 
 TEST(ExtremesScale, PicturesAreEqualBitForBitAtEveryPowerOfTwo) {
   const Scene scene = askew_scene();
-  for_every_format([&]<class Scalar>() {
-    const NumberFormat format = FormatOf<Scalar>::value;
+  for (const NumberFormat& format : number_formats()) {
     const Image expected = picture(scene, format);
     for (const int k : {-100, -40, 1, 40, 100}) {
-      EXPECT_TRUE(picture(scaled(scene, k), format).pixels() == expected.pixels()) << k;
+      EXPECT_TRUE(picture(scaled(scene, k), format).pixels() == expected.pixels()) << format.name() << ' ' << k;
     }
-  });
+  }
 }
 
 /// The datapath is given the same numbers; so t, which counts in them, scales with the scene.
@@ -100,13 +99,12 @@ Scene moved_scene(const glm::dvec3& offset) {
 }
 
 TEST(ExtremesScale, AMillionAwayFromTheOriginNothingChanges) {
-  for_every_format([]<class Scalar>() {
-    const NumberFormat format = FormatOf<Scalar>::value;
+  for (const NumberFormat& format : number_formats()) {
     const Image expected = picture(moved_scene({0, 0, 0}), format);
     for (const glm::dvec3& offset : {glm::dvec3(1e6, 0, 0), glm::dvec3(-1e6, 1e6, 2e6)}) {
-      EXPECT_TRUE(picture(moved_scene(offset), format).pixels() == expected.pixels());
+      EXPECT_TRUE(picture(moved_scene(offset), format).pixels() == expected.pixels()) << format.name();
     }
-  });
+  }
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 
 #include <ostream>
 
+#include "../../shipped_scene.h"
 #include "differences.h"
 #include "error.h"
 #include "numeric/number_types.h"
-#include "scene/load_scene.h"
 #include "trace/datapath_formats.h"
 #include "trace/ray.h"
 #include "trace/rounded_scene.h"
@@ -26,7 +26,7 @@ struct ShippedScene {
 };
 
 Scene load(const ShippedScene& shipped) {
-  Scene scene = load_scene(std::string(PYRASIM_SOURCE_DIR "/scenes/") + shipped.name + ".json");
+  Scene scene = shipped_scene(shipped.name);
   scene.camera.screen = resized(scene.camera.screen, shipped.columns, shipped.rows);
   return scene;
 }

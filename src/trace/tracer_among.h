@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernels compiled for a group of number formats, a file for each group: none takes long to compile, and they
+// compile side by side.
+#pragma once
+
+#include <memory>
+
+#include "trace/scene_tracer.h"
+
+namespace pyrasim {
+
+/// The tracer for `format` if that is the format of one of `Numbers`; else none.
+template <class... Numbers>
+std::unique_ptr<Tracer> tracer_among(NumberTypes<Numbers...>, const Scene& scene, const NumberFormat& format,
+                                     Search search) {
+  std::unique_ptr<Tracer> tracer;
+  const auto make = [&]<class Number>(std::type_identity<Number>) {
+    if (format == FormatOf<Number>::value) tracer = std::make_unique<SceneTracer<Number>>(scene, search);
+  };
+  (make(std::type_identity<Numbers>()), ...);
+  return tracer;
+}
+
+extern template std::unique_ptr<Tracer> tracer_among(ProcessorNumbers, const Scene&, const NumberFormat&, Search);
+extern template std::unique_ptr<Tracer> tracer_among(NamedFloats, const Scene&, const NumberFormat&, Search);
+extern template std::unique_ptr<Tracer> tracer_among(NarrowFloats, const Scene&, const NumberFormat&, Search);
+extern template std::unique_ptr<Tracer> tracer_among(WideFloats, const Scene&, const NumberFormat&, Search);
+extern template std::unique_ptr<Tracer> tracer_among(WideFixed, const Scene&, const NumberFormat&, Search);
+extern template std::unique_ptr<Tracer> tracer_among(NarrowFixed, const Scene&, const NumberFormat&, Search);
+
+}  // namespace pyrasim
