@@ -158,6 +158,7 @@ std::string comparison_table(const RunFile& first, const RunFile& second) {
   std::vector<Difference> found = differences(first, second);
   if (found.empty()) return runs + "\nequal in every setting, count and cycle; the pictures are the same\n";
   std::string text = runs + leave_out_machine(first, second, found);
+  if (found.empty()) return text + "equal in all of that; the pictures are the same\n";
   text += value_lines(found);
   text += matrix(first, second, found, "units.", "unit: % of the frame's cycles",
                  {{"busy", "busy", &Columns::percent},

@@ -24,7 +24,7 @@ std::string grouped(std::uint64_t number) {
 
 std::string frame_title(const std::string& scene, const Camera& camera) {
   const Screen& screen = camera.screen;
-  const std::string title = fmt::format("{} at {}x{} pixels", one_line(scene), screen.columns, screen.rows);
+  std::string title = fmt::format("{} at {}x{} pixels", one_line(scene), screen.columns, screen.rows);
   if (!camera.window) return title;
   const auto& [column, row, columns, rows] = *camera.window;
   return fmt::format("{}, {}x{} of them from column {}, row {}", title, columns, rows, column, row);

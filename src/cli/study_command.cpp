@@ -177,10 +177,11 @@ struct NumericsStudy {
 void add_study_command(const Command& program) {
   const Command study = program.add_group("study", "Measure what a choice costs, over all its values.");
   auto options = std::make_shared<NumericsStudy>();
-  const Command command = study.add_command("numerics",
-                                            "Simulate a frame in every number format and measure each against double; "
-                                            "a row is written as soon as it is done.",
-                                            [options] { options->run(); });
+  const Command command =
+      study.add_command("numerics",
+                        "Simulate a frame in every number format and measure each against double; a row is "
+                        "written as soon as it is done.",
+                        [options] { options->run(); });
   add_frame_options(command, options->frame);
   command.add_text("--formats", options->formats, "formats to study; all that pyrasim formats lists without it")
       .type_name("FORMAT,...");

@@ -122,7 +122,7 @@ class Commands(tool.EndToEnd):
     def test_formats(self):
         """Each that --scalar takes, on a page of its own; the help of --scalar names that page."""
         text = self.ok("formats")
-        names = re.findall(r"(?m)^(double|float|fp16|bf16|tf32|fp24|e\d+p\d+|fix\d+\.\d+) +\d", text)
+        names = self.formats()
         self.assertEqual(len(names), 35)
         scene = self.write("scene.json", tool.scene())
         refused = self.run_tool("render", scene, "--scalar", "half").stderr

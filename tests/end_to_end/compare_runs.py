@@ -86,8 +86,8 @@ class CompareRuns(tool.EndToEnd):
 
     def test_rendering_and_simulation(self):
         text = self.ok("compare", "rendered.json", "a.json")
-        self.assertIn("only the second run was simulated: what both have is compared", text)
-        self.assertIn("the pictures are the same", text)
+        self.assertIn("only the second run was simulated: what both have is compared\n"
+                      "equal in all of that; the pictures are the same\n", text)
         self.assertNotIn("\nintersection_unit", text)
         self.assertNotIn("\nmachine", text)
 

@@ -133,6 +133,10 @@ class EndToEnd(unittest.TestCase):
         self.assertIn(says, lines[0], where)
         self.assertEqual(self.listing(), before, where)
 
+    def formats(self):
+        """The names of all number formats."""
+        return re.findall(r"(?m)^(\w+(?:\.\d+)?) +\d+ +\d+ +\d+ +2\^", self.ok("formats"))
+
     def listing(self):
         return sorted(str(path) for path in self.folder.rglob("*"))
 
