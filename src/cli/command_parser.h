@@ -68,6 +68,7 @@ class Command {
   Option add_choice(const std::string& name, Value& value, const std::vector<std::pair<std::string, Value>>& choices,
                     const std::string& description) const {
     std::vector<std::string> names;
+    names.reserve(choices.size());
     for (const auto& choice : choices) names.push_back(choice.first);
     return add_named(
         name, names, [&value, choices](std::size_t index) { value = choices[index].second; }, description);

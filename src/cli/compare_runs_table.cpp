@@ -104,10 +104,10 @@ std::string matrix(const RunFile& first, const RunFile& second, const std::vecto
   for (const std::string& name : names_of(found, section, columns)) {
     Cells& row = rows.emplace_back(Cells{one_line(name)});
     for (const Column& column : columns) {
-      const std::string path = section + name + "." + column.key;
+      const std::string path = fmt::format("{}{}.{}", section, name, column.key);
       const std::string from = (Columns(first).*column.text)(path);
       const std::string to = (Columns(second).*column.text)(path);
-      row.push_back(from == to ? from : from + " -> " + to);
+      row.push_back(from == to ? from : fmt::format("{} -> {}", from, to));
     }
   }
   return rows.size() == 1 ? "" : '\n' + aligned(rows);

@@ -15,7 +15,7 @@ std::string remark(const NumberFormat& format) {
   if (name == "double") return "IEEE 754 binary64; the default, computed by this machine's processor";
   if (name == "float") return "IEEE 754 binary32; computed by this machine's processor";
   const std::string systematic = fmt::format("e{}p{}", format.exponent_bits, format.significand_bits);
-  const std::string also = systematic == name ? "" : "also " + systematic;
+  std::string also = systematic == name ? "" : "also " + systematic;
   if (name == "fp16") return also + "; IEEE 754 binary16";
   if (name == "bf16") return also + "; bfloat16";
   if (name == "tf32") return also + "; TensorFloat-32";
