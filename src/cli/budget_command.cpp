@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/machine_options.h"
+#include "cli/output_plan.h"
 #include "cli/statistics_document.h"
 #include "render/picture_memory.h"
 #include "text/printable.h"
@@ -160,6 +161,10 @@ struct BudgetCommand {
     check_picture_fits(asked.scene.camera.rendered());
     asked.options.formats = frame.formats(screen, std::int64_t{1} << asked.options.max_level);
     hw::check_machine_holds(asked.spec, asked.options.max_level, screen.columns);
+    OutputPlan plan;
+    plan.reads("SCENE", asked.scene.files);
+    plan.reads("--machine", machine.file);
+    plan.writes("--stats", stats);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
 
@@ -172,7 +177,7 @@ struct BudgetCommand {
         },
         [&] { return cycles ? "while changes were tried" : "in the frame as asked for"; });
     if (statistics) statistics->write(text_of(document(asked, *cycles, changes)));
-    (stats == "-" ? std::cerr : std::cout) << table(asked, *cycles, changes);
+    plan.table() << table(asked, *cycles, changes);
   }
 
   std::string table(const BudgetFrame& asked, hw::Cycle cycles, const std::optional<Changes>& changes) const {
