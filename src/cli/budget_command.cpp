@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/machine_options.h"
+#include "cli/output_plan.h"
 #include "cli/statistics_document.h"
 #include "render/picture_memory.h"
 #include "text/printable.h"
@@ -160,6 +161,10 @@ struct BudgetCommand {
     check_picture_fits(asked.scene.camera.rendered());
     asked.options.formats = frame.formats(screen, std::int64_t{1} << asked.options.max_level);
     hw::check_machine_holds(asked.spec, asked.options.max_level, screen.columns);
+    OutputPlan plan;
+    plan.reads("SCENE", asked.scene.files);
+    plan.reads("--machine", machine.file);
+    plan.writes("--stats", stats);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
 
@@ -172,7 +177,7 @@ struct BudgetCommand {
         },
         [&] { return cycles ? "while changes were tried" : "in the frame as asked for"; });
     if (statistics) statistics->write(text_of(document(asked, *cycles, changes)));
-    (stats == "-" ? std::cerr : std::cout) << table(asked, *cycles, changes);
+    plan.table() << table(asked, *cycles, changes);
   }
 
   std::string table(const BudgetFrame& asked, hw::Cycle cycles, const std::optional<Changes>& changes) const {
@@ -181,7 +186,7 @@ struct BudgetCommand {
     const double goal = asked.spec.goal_fps;
     std::string text = fmt::format(
         "{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n{} cycles, {:.1f} frames per second\n", one_line(frame.scene),
-        screen.columns, screen.rows, asked.options.max_level, excerpt(asked.spec.name), cycles, reached);
+        screen.columns, screen.rows, asked.options.max_level, excerpt(asked.spec.title()), cycles, reached);
     text += fmt::format("budget: {} cycles for {} frames per second, {} by {:.1f} %\n", asked.spec.budget(), goal,
                         changes ? "missed" : "met", 100 * std::abs(reached / goal - 1));
     if (!changes) return text;

@@ -25,6 +25,7 @@ void add_budget_command(const Command& program);
 void add_check_command(const Command& program);
 void add_level_command(const Command& program);
 void add_compare_command(const Command& program);
+void add_formats_command(const Command& program);
 
 /// The whole command line, as a shell would take it; every result names it.
 const std::string& command_line();
@@ -55,8 +56,8 @@ void add_leaf_option(const Command& command, Leaf& leaf);
 /// What the loader has to remark on a scene, on stderr, a line each.
 void print_warnings(const Scene& scene);
 
-/// "640x480". Throws UsageError.
-std::pair<int, int> parse_size(const std::string& text);
+/// "640x480", the value of `option`. Throws UsageError.
+std::pair<int, int> parse_size(const std::string& text, const std::string& option = "--size");
 /// "X,Y,COLUMNS,ROWS" within `screen`. Throws UsageError.
 PixelWindow parse_window(const std::string& text, const Screen& screen);
 /// A whole number from `least` to `most`; `what` names it in the UsageError.

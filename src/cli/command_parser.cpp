@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "cli/nearest.h"
 #include "error.h"
 
 namespace pyrasim::cli {
@@ -29,13 +30,76 @@ Option add_limited(CLI::App& app, const std::string& name, Value& value, Number 
   const auto set = [&value, least, most](const std::string& text) { value = number_within(text, least, most).value(); };
   const auto check = [=](const std::string& text) {
     if (number_within(text, least, most)) return std::string();
-    return fmt::format("{}: a {} from {} to {} is allowed", text.empty() ? "(empty)" : text, kind, least, most);
+    return fmt::format("{}: a {} from {} to {} is allowed", text, kind, least, most);
   };
   CLI::Option* option = app.add_option_function<std::string>(name, set, description);
   if constexpr (std::is_same_v<Value, Number>) {
     option->default_function([&value] { return fmt::format("{}", value); });
   }
   return Option(option).check(check).type_name(std::is_integral_v<Number> ? "N" : "NUMBER");
+}
+
+/// The command that the line got to.
+const CLI::App& chosen(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return commands.empty() ? app : chosen(*commands.front());
+}
+
+std::string full_name(const CLI::App& command) {
+  return command.get_parent() == nullptr ? command.get_name()
+                                         : full_name(*command.get_parent()) + " " + command.get_name();
+}
+
+std::vector<std::string> command_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* each : command.get_subcommands({})) {
+    names.push_back(each->get_name());
+  }
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string unknown(const std::string& word, const std::string& what, const std::vector<std::string>& known) {
+  const std::optional<std::string> meant = nearest(word, known);
+  return fmt::format("{}: unknown {}{}", word, what, meant ? fmt::format("; did you mean {}?", *meant) : ";");
+}
+
+/// What nobody expected, by its likeliest cause: an option, or the name of a command.
+std::string unexpected(const CLI::App& app, const CLI::App& command) {
+  const std::vector<std::string> words = app.remaining(true);
+  const auto option = std::find_if(words.begin(), words.end(), [](const auto& word) { return word.starts_with('-'); });
+  if (option != words.end()) {
+    return unknown(option->substr(0, option->find('=')), "option", option_names(command));
+  }
+  const std::vector<std::string> commands = command_names(command);
+  if (!commands.empty()) return unknown(words.front(), "command", commands);
+  return fmt::format("{}: not expected;", words.front());
+}
+
+/// In front of all other checks, which transform() is for.
+void refuse_empty_values(CLI::App& app) {
+  const auto check = [](const std::string& text) {
+    return text.empty() ? std::string("(empty): a value is needed") : std::string();
+  };
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() > 0) option->transform(CLI::Validator(check, ""));
+  }
+  for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
+}
+
+/// What was wrong, what was probably meant, and where to look.
+std::string mistake(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = chosen(app);
+  const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !app.remaining(true).empty();
+  return fmt::format("{} {} --help lists what is allowed",
+                     extra ? unexpected(app, command) : error.what() + std::string(";"), full_name(command));
 }
 
 }  // namespace
@@ -70,6 +134,8 @@ Command Command::add_command(const std::string& name, const std::string& descrip
   command->callback([chosen = chosen_, run = std::move(run)] { *chosen = run; });
   return {command, chosen_};
 }
+
+bool Command::given(const std::string& option) const { return app_->count(option) > 0; }
 
 Command Command::add_group(const std::string& name, const std::string& description) const {
   CLI::App* group = app_->add_subcommand(name, description);
@@ -145,6 +211,7 @@ CommandParser::~CommandParser() = default;
 
 std::optional<Action> CommandParser::parse(int argc, char** argv) {
   try {
+    refuse_empty_values(*app_);
     app_->parse(argc, argv);
     if (!chosen_) throw CLI::RequiredError("A command");
     return chosen_;
@@ -153,7 +220,7 @@ std::optional<Action> CommandParser::parse(int argc, char** argv) {
       app_->exit(error);
       return std::nullopt;
     }
-    throw UsageError(fmt::format("{}; {} --help lists what is allowed", error.what(), app_->get_name()));
+    throw UsageError(mistake(*app_, error));
   }
 }
 

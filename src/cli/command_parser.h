@@ -38,10 +38,13 @@ class Option {
 };
 
 /// A command. Of an option given twice the last one counts; all options refer to variables that must outlive parsing.
+/// None takes an empty value: a variable that the shell left empty is a mistake, not an option that is not given.
 class Command {
  public:
   /// A command below this one, and what it runs.
   Command add_command(const std::string& name, const std::string& description, Action run) const;
+  /// Whether the command line has the option of that name.
+  bool given(const std::string& option) const;
   /// A command that only has others below it.
   Command add_group(const std::string& name, const std::string& description) const;
 
@@ -65,6 +68,7 @@ class Command {
   Option add_choice(const std::string& name, Value& value, const std::vector<std::pair<std::string, Value>>& choices,
                     const std::string& description) const {
     std::vector<std::string> names;
+    names.reserve(choices.size());
     for (const auto& choice : choices) names.push_back(choice.first);
     return add_named(
         name, names, [&value, choices](std::size_t index) { value = choices[index].second; }, description);

@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "error.h"
+#include "files/standard_descriptors.h"
 #include "text/printable.h"
 #include "version.h"
 
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
   cli::add_compare_command(program);
   cli::add_check_command(program);
   cli::add_level_command(program);
+  cli::add_formats_command(program);
   try {
     if (const auto action = parser.parse(argc, argv)) (*action)();
     return exit_ok;
@@ -65,6 +67,7 @@ int sc_main(int argc, char** argv) {
 }
 
 int main(int argc, char** argv) {
+  if (!pyrasim::open_standard_descriptors()) return pyrasim::exit_run_failed;
   setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
   return sc_core::sc_elab_and_sim(argc, argv);
 }

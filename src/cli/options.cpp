@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <charconv>
 #include <iostream>
@@ -48,13 +47,10 @@ void add_leaf_option(const Command& command, Leaf& leaf) {
 }
 
 void add_scalar_option(const Command& command, std::string& scalar) {
-  std::vector<std::string> names;
-  for (const NumberFormat& format : number_formats()) names.push_back(format.name());
   command
       .add_text("--scalar", scalar,
-                fmt::format("number format of the datapath, or of each stage: view_vectors=FORMAT,"
-                            "intersection=FORMAT; formats: {}",
-                            fmt::join(names, ", ")))
+                "number format of the datapath, or of each stage: view_vectors=FORMAT,intersection=FORMAT; "
+                "pyrasim formats lists them")
       .type_name("FORMAT")
       .show_default();
 }
@@ -80,13 +76,13 @@ int parse_number(const std::string& text, int least, int most, const std::string
   return number;
 }
 
-std::pair<int, int> parse_size(const std::string& text) {
+std::pair<int, int> parse_size(const std::string& text, const std::string& option) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) {
-    throw UsageError(fmt::format("--size {}: COLUMNSxROWS is allowed, as in 640x480", text));
+    throw UsageError(fmt::format("{} {}: COLUMNSxROWS is allowed, as in 640x480", option, text));
   }
-  return {parse_number(text.substr(0, cross), 1, max_screen_size, "--size: columns"),
-          parse_number(text.substr(cross + 1), 1, max_screen_size, "--size: rows")};
+  return {parse_number(text.substr(0, cross), 1, max_screen_size, option + ": columns"),
+          parse_number(text.substr(cross + 1), 1, max_screen_size, option + ": rows")};
 }
 
 PixelWindow parse_window(const std::string& text, const Screen& screen) {

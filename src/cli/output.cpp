@@ -9,8 +9,9 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "error.h"
-#include "image/output_file.h"
+#include "files/output_file.h"
 #include "image/write_image.h"
+#include "text/utf8.h"
 #include "version.h"
 
 namespace pyrasim::cli {
@@ -21,20 +22,30 @@ std::string& stored_command_line() {
   return line;
 }
 
+/// What a shell reads between $' and ': each byte of a control character or of what is not UTF-8 as a number, so that
+/// the line is text, and stays one line, wherever it is shown.
+std::string escaped(std::string_view argument) {
+  std::string text;
+  for (std::size_t position = 0; position < argument.size();) {
+    const std::size_t begin = position;
+    const std::optional<char32_t> code_point = next_code_point(argument, position);
+    const std::string_view bytes = argument.substr(begin, position - begin);
+    if (!code_point || is_control(*code_point)) {
+      for (const char byte : bytes) text += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+    } else {
+      if (bytes == "'" || bytes == "\\") text += '\\';
+      text += bytes;
+    }
+  }
+  return text;
+}
+
 /// An argument as a shell would take it.
 std::string quoted(const std::string& argument) {
   constexpr const char* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./:,@%";
   if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) return argument;
-  std::string text = "'";
-  for (const char c : argument) {
-    if (c == '\'') {
-      text += "'\\''";
-    } else {
-      text += c;
-    }
-  }
-  text += '\'';
-  return text;
+  const std::string text = escaped(argument);
+  return text == argument ? fmt::format("'{}'", text) : fmt::format("$'{}'", text);
 }
 
 }  // namespace

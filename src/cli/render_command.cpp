@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <iostream>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/frame_table.h"
 #include "cli/interrupt.h"
+#include "cli/output_plan.h"
 #include "cli/statistics_document.h"
 
 namespace pyrasim::cli {
@@ -25,8 +29,11 @@ struct RenderCommand {
     Method chosen = parse_method(method);
     chosen.pyramids = {parse_max_level(frame.max_level, scene.camera.screen), frame.leaf, reuse, threads};
     chosen.sampling.seed = seed;
-    const DatapathFormats formats = frame.formats(
-        scene.camera.screen, chosen.pyramid ? std::int64_t{1} << chosen.pyramids.max_level : chosen.sampling.grid);
+    const DatapathFormats formats = frame.formats(scene.camera.screen, chosen.grid_steps());
+    OutputPlan plan;
+    plan.reads("SCENE", scene.files);
+    plan.writes("-o", image.file);
+    plan.writes("--stats", stats);
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
@@ -40,6 +47,8 @@ struct RenderCommand {
                       [&] { return fmt::format("with {:.1f} % rendered", 100 * done); });
     picture.write(rendering.image);
     if (statistics) statistics->write(text_of(render_document(frame.scene, scene.camera, chosen, formats, rendering)));
+    if (!plan.writes_anything())
+      plan.table() << rendering_table(frame.scene, scene.camera, chosen, rendering.statistics);
   }
 };
 
@@ -47,8 +56,9 @@ struct RenderCommand {
 
 void add_render_command(const Command& program) {
   auto options = std::make_shared<RenderCommand>();
-  const Command command = program.add_command("render", "Render a frame without timing, by pyramids or by a peer.",
-                                              [options] { options->run(); });
+  const Command command = program.add_command(
+      "render", "Render a frame without timing, by pyramids or by a peer; without -o and --stats, print its counts.",
+      [options] { options->run(); });
   add_frame_options(command, options->frame);
   add_window_option(command, options->frame);
   add_scalar_option(command, options->frame.scalar);

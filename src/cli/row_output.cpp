@@ -8,7 +8,7 @@
 #include "cli/interrupt.h"
 #include "cli/run_apart.h"
 #include "error.h"
-#include "image/output_file.h"
+#include "files/output_file.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -25,8 +25,8 @@ struct RowOutput::File {
   OutputFile output;
 };
 
-RowOutput::RowOutput(const std::string& csv_file, bool stdout_is_taken)
-    : csv_on_stdout_(csv_file == "-"), table_(csv_on_stdout_ || stdout_is_taken ? std::cerr : std::cout) {
+RowOutput::RowOutput(const std::string& csv_file, std::ostream& table)
+    : csv_on_stdout_(csv_file == "-"), table_(table) {
   if (!csv_file.empty() && !csv_on_stdout_) file_ = std::make_unique<File>(csv_file);
 }
 RowOutput::~RowOutput() = default;

@@ -13,9 +13,9 @@ namespace pyrasim::cli {
 /// CSV file gets its name with its first row, and then grows by whole rows; what stood there stays until then.
 class RowOutput {
  public:
-  /// `csv_file`: "-" for stdout, empty for no CSV. The table for people goes to stdout, or to stderr where CSV or
-  /// something else takes that (`stdout_is_taken`). Throws RunError where the file cannot be written.
-  RowOutput(const std::string& csv_file, bool stdout_is_taken = false);
+  /// `csv_file`: "-" for stdout, empty for no CSV. `table`: where the table for people goes, as OutputPlan says. Throws
+  /// RunError where the file cannot be written.
+  RowOutput(const std::string& csv_file, std::ostream& table);
   ~RowOutput();
   RowOutput(const RowOutput&) = delete;
   RowOutput& operator=(const RowOutput&) = delete;

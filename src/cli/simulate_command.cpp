@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/machine_options.h"
+#include "cli/output_plan.h"
 #include "cli/statistics_document.h"
 #include "hw_model/report/deadlock.h"
 #include "hw_model/trace/occupancy.h"
@@ -37,6 +38,12 @@ struct SimulateCommand {
     options.progress = progress_bar("simulating");
     check_addressable(scene.camera.screen, options.max_level);
     options.formats = frame.formats(scene.camera.screen, std::int64_t{1} << options.max_level);
+    OutputPlan plan;
+    plan.reads("SCENE", scene.files);
+    plan.reads("--machine", machine.file);
+    plan.writes("-o", image.file);
+    plan.writes("--stats", stats);
+    plan.writes("--trace", trace, ".vcd");
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
@@ -61,8 +68,7 @@ struct SimulateCommand {
     if (vcd) vcd->write(recorder->text());
     if (statistics)
       statistics->write(text_of(simulation_document(frame.scene, scene.camera, options, processor, occupancies)));
-    (stats == "-" || trace == "-" ? std::cerr : std::cout)
-        << simulation_table(frame.scene, scene.camera, options.max_level, processor);
+    plan.table() << simulation_table(frame.scene, scene.camera, options.max_level, processor);
   }
 };
 
@@ -85,7 +91,8 @@ void add_simulate_command(const Command& program) {
                    "0: one for each core; a second one traces ahead; results do not depend on it")
       .show_default();
   command.add_text("--stats", options->stats, "statistics as JSON; - for stdout").type_name("FILE|-");
-  command.add_text("--trace", options->trace, "states of units and fill of FIFOs over time").type_name("FILE.vcd");
+  command.add_text("--trace", options->trace, "states of units and fill of FIFOs over time; - for stdout")
+      .type_name("FILE.vcd|-");
 }
 
 }  // namespace pyrasim::cli

@@ -5,35 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/frame_table.h"
 #include "cli/statistics_document.h"
 #include "hw_model/report/bottleneck.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
-
-/// 1234567 as "1,234,567".
-std::string grouped(std::uint64_t number) {
-  std::string text = std::to_string(number);
-  for (auto k = static_cast<std::ptrdiff_t>(text.size()) - 3; k > 0; k -= 3)
-    text.insert(static_cast<std::size_t>(k), 1, ',');
-  return text;
-}
-
-std::string frame_lines(const FrameStatistics& frame, int max_level) {
-  std::string text;
-  text += fmt::format("rays          {:>12}   primary {} + subdivision {}\n", grouped(frame.total_rays()),
-                      grouped(frame.primary_rays()), grouped(frame.subdivision_rays_traced()));
-  text += fmt::format("subdivisions  {:>12}   terminal nodes {}\n\n", grouped(frame.subdivisions),
-                      grouped(frame.terminal_nodes));
-  text += fmt::format("level  {:>12}  {:>12}  {:>12}  {:>12}\n", "rays", "empty", "covered", "edge");
-  for (std::size_t level = 0; level <= static_cast<std::size_t>(max_level); ++level) {
-    const auto& cases = frame.cases_by_level[level];
-    text += fmt::format("{:>5}  {:>12}  {:>12}  {:>12}  {:>12}\n", level, grouped(frame.rays_by_level[level]),
-                        grouped(cases[0]), grouped(cases[1]), grouped(cases[2]));
-  }
-  return text;
-}
 
 /// Units of one kind, a line of the table.
 struct UnitLine {
@@ -84,12 +62,6 @@ std::string unit_lines(const hw::Processor& processor) {
   return text;
 }
 
-std::string window_text(const Camera& camera) {
-  if (!camera.window) return "";
-  const auto& [column, row, columns, rows] = *camera.window;
-  return fmt::format(", {}x{} of them from column {}, row {}", columns, rows, column, row);
-}
-
 std::string latency_line(const hw::Processor& processor) {
   hw::LatencyHistogram all;
   for (const hw::LatencyHistogram& level : processor.tree_accumulator().latencies()) all += level;
@@ -121,9 +93,8 @@ std::string simulation_table(const std::string& scene, const Camera& camera, int
                              const hw::Processor& processor) {
   const hw::MachineSpec& spec = processor.spec();
   const bool met = processor.cycles() <= spec.budget();
-  const Screen& screen = camera.screen;
-  std::string text = fmt::format("{} at {}x{} pixels{}, MAX_LEVEL {}, on machine {}\n\n", one_line(scene),
-                                 screen.columns, screen.rows, window_text(camera), max_level, excerpt(spec.name));
+  std::string text =
+      fmt::format("{}, MAX_LEVEL {}, on machine {}\n\n", frame_title(scene, camera), max_level, excerpt(spec.title()));
   text += frame_lines(processor.statistics(), max_level);
   text += unit_lines(processor);
   text += fmt::format("\ncycles        {:>12}   {:.1f} frames per second at {} MHz\n", grouped(processor.cycles()),

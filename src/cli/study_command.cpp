@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/machine_options.h"
+#include "cli/output_plan.h"
 #include "cli/row_output.h"
 #include "cli/run_apart.h"
 #include "error.h"
@@ -56,7 +57,12 @@ struct NumericsStudy {
     check_picture_fits(scene.camera.rendered());
     const hw::MachineSpec spec = machine.load();
     hw::check_machine_holds(spec, max_level, scene.camera.screen.columns);
-    RowOutput output(csv, plot == "-");
+    OutputPlan plan;
+    plan.reads("SCENE", scene.files);
+    plan.reads("--machine", machine.file);
+    plan.writes("--csv", csv);
+    plan.writes("--plot", plot, ".svg");
+    RowOutput output(csv, plan.table());
     std::optional<TextOutput> picture;
     if (!plot.empty()) picture.emplace(plot);
     output.header(format_csv_header(), format_table_header());
@@ -177,7 +183,8 @@ void add_study_command(const Command& program) {
                         "written as soon as it is done.",
                         [options] { options->run(); });
   add_frame_options(command, options->frame);
-  command.add_text("--formats", options->formats, "formats to study; all without it").type_name("FORMAT,...");
+  command.add_text("--formats", options->formats, "formats to study; all that pyrasim formats lists without it")
+      .type_name("FORMAT,...");
   options->machine.add(command);
   command.add_integer("--threads", options->threads, 0, 1024, "0: one for each core; results do not depend on it")
       .show_default();

@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/machine_options.h"
+#include "cli/output_plan.h"
 #include "cli/row_output.h"
 #include "cli/run_apart.h"
 #include "cli/statistics_document.h"
@@ -60,7 +61,11 @@ struct SweepCommand {
       hw::check_machine_holds(spec, point.max_level, point.screen.columns);
       names.push_back(point.name());
     }
-    RowOutput output(csv);
+    OutputPlan outputs;
+    outputs.reads("SCENE", loaded.files);
+    outputs.reads("--machine", machine.file);
+    outputs.writes("--csv", csv);
+    RowOutput output(csv, outputs.table());
     output.header(
         "columns,rows,max_level,leaf,rays_primary,rays_subdivision,rays_total,subdivisions,rmse,max_error,cycles,"
         "frames_per_second,reference,reference_rays\n",

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -27,37 +28,61 @@ struct PfmHeader {
 
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
-/// The word at or after `position`, which moves past it.
+/// The word at or after `position`, which moves past it; white space and comments, from # to the line's end, are
+/// passed.
 std::string_view next_word(std::string_view bytes, std::size_t& position) {
-  while (position < bytes.size() && is_space(bytes[position])) ++position;
+  while (position < bytes.size() && (is_space(bytes[position]) || bytes[position] == '#')) {
+    position = bytes[position] == '#' ? std::min(bytes.find('\n', position), bytes.size()) : position + 1;
+  }
   const std::size_t begin = position;
   while (position < bytes.size() && !is_space(bytes[position])) ++position;
   return bytes.substr(begin, position - begin);
 }
 
+/// A number may begin with a plus sign, as some tools write scales.
 template <typename Number>
 bool parse(std::string_view word, Number& number) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   return error == std::errc() && end == word.data() + word.size();
+}
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& message) {
+  throw InputError(fmt::format("{}: {}", file.string(), message));
+}
+
+/// A word of the file as a message shows it: its beginning, and nothing that is not a printable character.
+std::string shown(std::string_view word) {
+  constexpr std::size_t longest = 20;
+  std::string text(word.substr(0, longest));
+  for (char& c : text) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return text.empty() ? "nothing" : text + (word.size() > longest ? "..." : "");
+}
+
+int parse_size(std::string_view word, const std::string& what, const std::filesystem::path& file) {
+  int size = 0;
+  if (parse(word, size) && size >= 1) return size;
+  fail(file, fmt::format("bad header: {} for {}; a whole number from 1 is allowed", shown(word), what));
 }
 
 PfmHeader parse_header(std::string_view bytes, const std::filesystem::path& file) {
   PfmHeader header;
   std::size_t position = 0;
-  const std::string_view magic = bytes.substr(0, 2);
+  const std::string_view magic = bytes.substr(0, 1) == "P" ? next_word(bytes, position) : "";
   if (magic == "PF") header.channels = 3;
   if (magic == "Pf") header.channels = 1;
-  if (header.channels == 0)
-    throw InputError(fmt::format("{}: not a PFM file; it must begin with PF or Pf", file.string()));
-  position = magic.size();
-  if (!parse(next_word(bytes, position), header.columns) || !parse(next_word(bytes, position), header.rows) ||
-      header.columns < 1 || header.rows < 1 ||
-      static_cast<std::size_t>(header.columns) > max_pixels / static_cast<std::size_t>(header.rows)) {
-    throw InputError(
-        fmt::format("{}: bad size; columns and rows must be from 1 to {} pixels in all", file.string(), max_pixels));
+  if (magic == "PF4") fail(file, "a PFM file of four channels, PF4; three (PF) or one (Pf) are allowed");
+  if (header.channels == 0) fail(file, "not a PFM file; it must begin with PF or Pf");
+  header.columns = parse_size(next_word(bytes, position), "columns", file);
+  header.rows = parse_size(next_word(bytes, position), "rows", file);
+  if (static_cast<std::size_t>(header.columns) > max_pixels / static_cast<std::size_t>(header.rows)) {
+    fail(file, fmt::format("{}x{}; up to {} pixels in all are allowed", header.columns, header.rows, max_pixels));
   }
-  if (!parse(next_word(bytes, position), header.scale) || !std::isfinite(header.scale) || header.scale == 0) {
-    throw InputError(fmt::format("{}: bad scale; it must be a finite number other than 0", file.string()));
+  const std::string_view scale = next_word(bytes, position);
+  if (!parse(scale, header.scale) || !std::isfinite(header.scale) || header.scale == 0) {
+    fail(file, fmt::format("bad header: {} for the scale; a finite number other than 0 is allowed", shown(scale)));
   }
   header.samples_begin = position + 1;  // exactly one white-space character ends the header
   return header;
@@ -83,7 +108,7 @@ Image read_pfm(const std::filesystem::path& file) {
   const std::size_t expected =
       header.samples_begin + image.pixels().size() * static_cast<std::size_t>(header.channels) * sample_bytes;
   if (bytes.size() != expected) {
-    throw InputError(fmt::format("{}: {} bytes; its header asks for {}", file.string(), bytes.size(), expected));
+    fail(file, fmt::format("{} bytes; its header asks for {}", bytes.size(), expected));
   }
   const char* next = bytes.data() + header.samples_begin;
   for (int row = image.rows() - 1; row >= 0; --row) {

@@ -12,9 +12,13 @@
 #include "error.h"
 #include "image/read_bytes.h"
 #include "image/srgb.h"
+#include "text/utf8.h"
 
 namespace pyrasim {
 namespace {
+
+constexpr std::size_t rgba = 4;       // samples a pixel, as they are read
+constexpr unsigned opaque = 0xFFFFU;  // alpha of 16 bits
 
 // The PNG library reports an error by a jump to setjmp. The functions that call setjmp keep everything that has a
 // destructor in the struct that is passed to them, which the jump does not leave.
@@ -43,6 +47,7 @@ struct PngWriter : PngState {
   PngWriter& operator=(const PngWriter&) = delete;
 
   std::string bytes;
+  TextChunks chunks;
   std::vector<png_text> text;
   std::vector<png_byte> row;
 };
@@ -53,16 +58,21 @@ void on_write(png_structp png, png_bytep data, std::size_t count) {
 
 void on_flush(png_structp /*png*/) {}
 
-/// PNG's plain text is Latin-1; anything beyond ASCII goes to an international chunk, which is UTF-8.
+/// PNG's plain text is Latin-1; anything but ASCII that shows goes to an international chunk, which is UTF-8.
+bool is_plain(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
+}
+
+/// Points into `chunks`.
 std::vector<png_text> to_png_text(const TextChunks& chunks) {
   std::vector<png_text> text;
   for (const auto& [keyword, value] : chunks) {
-    const bool ascii = std::all_of(value.begin(), value.end(), [](char c) { return static_cast<signed char>(c) >= 0; });
+    const bool plain = is_plain(value);
     png_text entry{};
-    entry.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+    entry.compression = plain ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
     entry.key = const_cast<char*>(keyword.c_str());  // the library copies both
     entry.text = const_cast<char*>(value.c_str());
-    (ascii ? entry.text_length : entry.itxt_length) = value.size();
+    (plain ? entry.text_length : entry.itxt_length) = value.size();
     text.push_back(entry);
   }
   return text;
@@ -125,11 +135,11 @@ void on_read(png_structp png, png_bytep data, std::size_t count) {
   reader.position += count;
 }
 
-/// Asks the library for 16 bit RGB, whatever the file holds.
-void expand_to_rgb16(PngReader& reader) {
-  png_set_expand_16(reader.png);  // palettes and few bits as well
+/// Asks the library for 16 bit RGB and alpha, whatever the file holds.
+void expand_to_rgba16(PngReader& reader) {
+  png_set_expand_16(reader.png);  // palettes and few bits as well, a transparent color to alpha
   png_set_gray_to_rgb(reader.png);
-  png_set_strip_alpha(reader.png);
+  png_set_add_alpha(reader.png, opaque, PNG_FILLER_AFTER);  // where there is none
   png_set_interlace_handling(reader.png);
   png_read_update_info(reader.png, reader.info);
 }
@@ -149,9 +159,9 @@ bool read_samples(PngReader& reader) {
   const std::size_t rows = png_get_image_height(reader.png, reader.info);
   if (columns > max_pixels / rows) png_error(reader.png, "too many pixels");
   note_gamma(reader);
-  expand_to_rgb16(reader);
+  expand_to_rgba16(reader);
   const std::size_t row_bytes = png_get_rowbytes(reader.png, reader.info);
-  if (row_bytes != columns * 6) png_error(reader.png, "its samples cannot be read as RGB");
+  if (row_bytes != columns * 2 * rgba) png_error(reader.png, "its samples cannot be read as RGB");
   reader.samples.resize(rows * row_bytes);
   for (std::size_t row = 0; row < rows; ++row) reader.rows.push_back(reader.samples.data() + row * row_bytes);
   png_read_image(reader.png, reader.rows.data());
@@ -186,24 +196,34 @@ unsigned png_sample(float sample, const PngFormat& format) {
 std::string encode_png(const Image& image, const PngFormat& format, const TextChunks& text) {
   check_png_format(format);
   PngWriter writer;
-  writer.text = to_png_text(text);
+  for (const auto& [keyword, value] : text) writer.chunks.emplace_back(keyword, valid_utf8(value));
+  writer.text = to_png_text(writer.chunks);
   if (!write_png(writer, image, format)) throw RunError(fmt::format("PNG: {}", writer.error));
   return std::move(writer.bytes);
 }
 
-Image read_png(const std::filesystem::path& file) {
+Image read_png(const std::filesystem::path& file, std::uint64_t* transparent_pixels) {
   PngReader reader(file);
   if (!read_samples(reader))
     throw InputError(fmt::format("{}: not a usable PNG file: {}", file.string(), reader.error));
   Image image(static_cast<int>(png_get_image_width(reader.png, reader.info)),
               static_cast<int>(png_get_image_height(reader.png, reader.info)));
   const std::vector<float> linear = linear_table(reader.gamma);
+  std::uint64_t transparent = 0;
   const png_byte* sample = reader.samples.data();
+  const auto next = [&sample] {
+    const unsigned value = static_cast<unsigned>(sample[0]) << 8U | sample[1];
+    sample += 2;
+    return value;
+  };
   for (glm::vec3& pixel : image.pixels()) {
-    for (int channel = 0; channel < 3; ++channel, sample += 2) {
-      pixel[channel] = linear[(static_cast<std::size_t>(sample[0]) << 8U) | sample[1]];
-    }
+    for (int channel = 0; channel < 3; ++channel) pixel[channel] = linear[next()];
+    const unsigned alpha = next();
+    if (alpha == opaque) continue;
+    pixel *= static_cast<float>(alpha) / static_cast<float>(opaque);
+    ++transparent;
   }
+  if (transparent_pixels != nullptr) *transparent_pixels = transparent;
   return image;
 }
 

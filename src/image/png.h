@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -16,7 +17,7 @@ struct PngFormat {
   bool srgb = true;  // sRGB signal, stated by an sRGB chunk; else linear intensity, stated by a gAMA chunk of 1
 };
 
-/// Keyword and text of a PNG file's text chunks: Software, Comment. Text is UTF-8.
+/// Keyword and text of a PNG file's text chunks: Software, Comment. Text is UTF-8; what is not shows as U+FFFD.
 using TextChunks = std::vector<std::pair<std::string, std::string>>;
 
 /// Throws UsageError where `format` is not one that PNG has.
@@ -29,8 +30,9 @@ unsigned png_sample(float sample, const PngFormat& format);
 /// Throws UsageError for a bad format, RunError where the PNG library refuses the picture.
 std::string encode_png(const Image& image, const PngFormat& format = {}, const TextChunks& text = {});
 
-/// Reads any PNG file as linear RGB: grey and palettes are expanded, alpha is dropped. Samples are taken as sRGB unless
-/// the file has a gAMA chunk and no sRGB or iCCP chunk. Throws InputError "FILE: what is wrong".
-Image read_png(const std::filesystem::path& file);
+/// Reads any PNG file as linear RGB: grey and palettes are expanded, pixels that are not opaque are composed over black,
+/// in linear light, and counted. Samples are taken as sRGB unless the file has a gAMA chunk and no sRGB or iCCP chunk.
+/// Throws InputError "FILE: what is wrong".
+Image read_png(const std::filesystem::path& file, std::uint64_t* transparent_pixels = nullptr);
 
 }  // namespace pyrasim

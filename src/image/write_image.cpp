@@ -28,8 +28,10 @@ void write_image(const std::filesystem::path& file, const Image& image, const Pn
   write_image(output, image, format, text);
 }
 
-Image read_image(const std::filesystem::path& file) {
-  return image_file_kind(file) == ImageFile::png ? read_png(file) : read_pfm(file);
+Image read_image(const std::filesystem::path& file, std::uint64_t* transparent_pixels) {
+  if (image_file_kind(file) == ImageFile::png) return read_png(file, transparent_pixels);
+  if (transparent_pixels != nullptr) *transparent_pixels = 0;
+  return read_pfm(file);
 }
 
 }  // namespace pyrasim

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "image/image.h"
-#include "image/output_file.h"
+#include "files/output_file.h"
 #include "image/png.h"
 
 namespace pyrasim {
@@ -23,7 +23,8 @@ void write_image(OutputFile& file, const Image& image, const PngFormat& format =
 void write_image(const std::filesystem::path& file, const Image& image, const PngFormat& format = {},
                  const TextChunks& text = {});
 
-/// Reads a PNG or PFM file as linear RGB. Throws UsageError for a bad ending, InputError for a bad file.
-Image read_image(const std::filesystem::path& file);
+/// Reads a PNG or PFM file as linear RGB; `transparent_pixels` as for read_png(). Throws UsageError for a bad ending,
+/// InputError for a bad file.
+Image read_image(const std::filesystem::path& file, std::uint64_t* transparent_pixels = nullptr);
 
 }  // namespace pyrasim

@@ -35,6 +35,10 @@ std::string Method::name() const {
   return fmt::format("{}:{}", sampling.jitter ? "jitter" : "grid", sampling.grid);
 }
 
+std::int64_t Method::grid_steps() const {
+  return pyramid ? std::int64_t{1} << static_cast<unsigned>(pyramids.max_level) : sampling_steps(sampling);
+}
+
 Method parse_method(std::string_view name) {
   Method method;
   if (name == "pyramid") return method;
@@ -51,8 +55,8 @@ Method parse_method(std::string_view name) {
       return method;
     }
   }
-  throw UsageError(fmt::format("method {}: allowed are pyramid, point, grid:N and jitter:N with N from 1 to {}", name,
-                               max_sampling_grid));
+  throw UsageError(fmt::format("method {}: allowed are pyramid, point, grid:N and jitter:N with N from 1 to {}",
+                               name.empty() ? "(empty)" : name, max_sampling_grid));
 }
 
 Rendering render(const Scene& scene, const Method& method, const DatapathFormats& formats, int threads,

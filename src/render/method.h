@@ -18,6 +18,8 @@ struct Method {
 
   /// "pyramid", "point", "grid:4", "jitter:4".
   std::string name() const;
+  /// Steps along a pixel's side of the grid that its rays go through: what number formats have to address.
+  std::int64_t grid_steps() const;
 };
 
 /// Reads a method's name; the other options stay at their defaults. Throws UsageError.

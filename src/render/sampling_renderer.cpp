@@ -8,8 +8,8 @@
 namespace pyrasim {
 namespace {
 
-/// Grid steps in one cell of the N x N grid: an even number, so that the centre is a grid point.
-constexpr std::uint32_t jitter_steps = 1U << 8U;
+/// Grid steps along the side of one cell of the N x N grid: an even number, so that the centre is a grid point.
+std::uint32_t cell_steps(const SamplingOptions& options) { return options.jitter ? 1U << 8U : 2; }
 
 /// Sixteen mixed bits (SplitMix64, Steele, Lea, Flood 2014) of a counter, so that no thread's order matters.
 std::uint32_t random_bits(std::uint64_t seed, std::uint64_t counter) {
@@ -87,18 +87,20 @@ class RowWorker {
 
 }  // namespace
 
+std::int64_t sampling_steps(const SamplingOptions& options) {
+  return static_cast<std::int64_t>(options.grid) * cell_steps(options);
+}
+
 template <class AnyTracer>
 Rendering render_samples(const Scene& scene, const AnyTracer& tracer, const SamplingOptions& options,
                          const Progress& progress) {
   const PixelWindow window = scene.camera.rendered();
-  const std::uint32_t cell_steps = options.jitter ? jitter_steps : 2;
   SamplingFrame<AnyTracer> frame{
       .tracer = tracer,
       .options = options,
       .palette = Palette(scene),
-      .cell_steps = cell_steps,
-      .view_vectors =
-          ViewVectors(scene.camera.screen, static_cast<std::int64_t>(options.grid) * cell_steps, options.view_vectors),
+      .cell_steps = cell_steps(options),
+      .view_vectors = ViewVectors(scene.camera.screen, sampling_steps(options), options.view_vectors),
       .window = window,
       .image = Image(window.columns, window.rows),
       .totals = {},

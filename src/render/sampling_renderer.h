@@ -20,6 +20,9 @@ struct SamplingOptions {
 
 inline constexpr int max_sampling_grid = 256;
 
+/// Grid steps along a pixel's side: the rays go through points of that grid, the centres of cells among them.
+std::int64_t sampling_steps(const SamplingOptions& options);
+
 /// Renders by regular or jittered supersampling: a pixel is the plain mean of its samples. All rays count as primary.
 template <class AnyTracer>
 Rendering render_samples(const Scene& scene, const AnyTracer& tracer, const SamplingOptions& options,

@@ -121,6 +121,7 @@ Triangle read_triangle(const JsonReader& reader) {
 struct Context {
   std::filesystem::path folder;  ///< where the paths of meshes begin
   std::vector<std::string>& warnings;
+  std::vector<std::string>& files;
 };
 
 Mesh read_mesh(const JsonReader& reader, const Context& context) {
@@ -131,6 +132,7 @@ Mesh read_mesh(const JsonReader& reader, const Context& context) {
   }
   try {
     LoadedMesh loaded = load_mesh(context.folder / name);
+    context.files.push_back((context.folder / name).string());
     for (const std::string& warning : loaded.warnings) {
       context.warnings.push_back(fmt::format("{}: {}: {}", file.file(), file.pointer(), warning));
     }
@@ -187,7 +189,8 @@ Scene read_scene(const std::filesystem::path& file, const nlohmann::json& docume
   scene.camera = read_camera(root.member("camera"));
   scene.background = root.optional_vec3("background", color_components).value_or(scene.background);
   if (const auto light = root.find("light")) scene.light = read_light(*light);
-  const Context context{folder_of_meshes(file), scene.warnings};
+  scene.files.push_back(file.string());
+  const Context context{folder_of_meshes(file), scene.warnings, scene.files};
   for (const JsonReader& reader : root.member("objects").elements()) {
     scene.objects.push_back(read_object(reader, context));
   }

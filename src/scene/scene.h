@@ -92,6 +92,7 @@ struct Scene {
   std::optional<Light> light;      ///< absent: colours are emitted as they are
   std::vector<Object> objects;
   std::vector<std::string> warnings;  ///< one line each, for stderr
+  std::vector<std::string> files;     ///< that it was read from: the scene's own, then its meshes'
 };
 
 }  // namespace pyrasim

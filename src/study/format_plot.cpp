@@ -9,6 +9,8 @@
 #include <map>
 #include <string_view>
 
+#include "study/xml_text.h"
+
 namespace pyrasim {
 namespace {
 
@@ -20,23 +22,6 @@ constexpr double top = 46;
 constexpr double bottom = height - 56.0;
 constexpr int least_bits = 6;
 constexpr int most_bits = 34;
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 /// 0 lies at the bottom, 1 a step above it, then a step a decade.
 class Axis {
@@ -77,7 +62,7 @@ int precision(const NumberFormat& format) {
 
 std::string label(double at_x, double at_y, std::string_view anchor, const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", at_x, at_y, anchor,
-                     escaped(text));
+                     xml_text(text));
 }
 
 std::string line(double x1, double y1, double x2, double y2, std::string_view color, std::string_view dashes = "") {

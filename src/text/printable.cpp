@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
+
+#include "text/utf8.h"
 
 namespace pyrasim {
 namespace {
@@ -13,44 +14,23 @@ constexpr std::string_view ellipsis = "\u2026";
 constexpr std::size_t message_head = 800;  ///< bytes of an overlong message that are kept
 constexpr std::size_t message_tail = 300;
 
-/// A character at the front of a text.
-struct Character {
-  std::uint32_t code = 0;
-  std::size_t size = 0;  ///< bytes; 0: the first byte is not part of well-formed UTF-8
-};
-
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80; }
 
-/// RFC 3629: neither overlong forms nor surrogates nor anything above U+10FFFF.
-Character first_character(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  if (lead < 0x80) return {lead, 1};
-  if (lead < 0xc2 || lead > 0xf4) return {};
-  const std::size_t size = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
-  if (text.size() < size) return {};
-  std::uint32_t code = lead & (0x7fU >> size);
-  for (const char byte : text.substr(1, size - 1)) {
-    if (!continues(byte)) return {};
-    code = code << 6U | (static_cast<unsigned char>(byte) & 0x3fU);
-  }
-  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-  if (code < least[size] || code > 0x10ffff || (code >= 0xd800 && code <= 0xdfff)) return {};
-  return {code, size};
-}
-
-bool steers_terminal(std::uint32_t code) {
-  return code < 0x20 || (code >= 0x7f && code <= 0x9f) || code == 0x061c || code == 0x200e || code == 0x200f ||
-         (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+bool steers_terminal(char32_t code) {
+  return is_control(code) || code == 0x061c || code == 0x200e || code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
+         (code >= 0x2066 && code <= 0x2069);
 }
 
 /// Cuts the first character off `text` and returns it as a terminal may show it.
 std::string next_printable(std::string_view& text) {
-  const Character character = first_character(text);
-  const std::string_view bytes = text.substr(0, std::max<std::size_t>(character.size, 1));
-  text.remove_prefix(bytes.size());
-  if (character.size == 0) return fmt::format("\\x{:02x}", static_cast<unsigned char>(bytes[0]));
-  if (steers_terminal(character.code)) return fmt::format("\\u{:04x}", character.code);
-  return std::string(bytes);
+  std::size_t size = 0;
+  const std::optional<char32_t> code = next_code_point(text, size);
+  const std::string_view bytes = text.substr(0, size);
+  text.remove_prefix(size);
+  if (code) return steers_terminal(*code) ? fmt::format("\\u{:04x}", std::uint32_t{*code}) : std::string(bytes);
+  std::string shown;
+  for (const char byte : bytes) shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+  return shown;
 }
 
 }  // namespace
@@ -82,11 +62,9 @@ std::string message_line(std::string_view text) {
 }
 
 std::size_t first_not_utf8(std::string_view text) {
-  std::size_t offset = 0;
-  while (offset < text.size()) {
-    const std::size_t size = first_character(text.substr(offset)).size;
-    if (size == 0) return offset;
-    offset += size;
+  for (std::size_t offset = 0; offset < text.size();) {
+    const std::size_t begin = offset;
+    if (!next_code_point(text, offset)) return begin;
   }
   return text.size();
 }

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The same picture and the same counts, whichever way a frame is made; and counts that are known beforehand."""
 
-import re
 
 import tool
 from tool import MACHINES, SCENES
@@ -39,8 +38,7 @@ class Agreement(tool.EndToEnd):
 
     def test_every_number_format(self):
         """What a narrow format gets wrong it gets wrong alike, with and without the machine, on one thread and two."""
-        help_text = self.ok("render", "--help")
-        formats = re.search(r"formats: (.*?)\n\s+-o", help_text, re.DOTALL)[1].replace(",", " ").split()
+        formats = self.formats()
         self.assertGreaterEqual(len(formats), 35)
         differing = 0
         for scalar in formats:

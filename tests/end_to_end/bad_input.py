@@ -22,7 +22,6 @@ class BadInput(tool.EndToEnd):
 
     def test_unreadable(self):
         self.refused_everywhere("missing.json", "missing.json: cannot be read: No such file")
-        self.refused(INPUT, "render", "", says="cannot be read")
         self.refused_everywhere(".", "it is a folder")
         self.refused_everywhere("two\nlines.json", "two\\u000alines.json")
         self.refused_everywhere(self.write("empty.json", ""), "empty.json:1:1")

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Usage mistakes, and what the small commands print."""
 
+import json
 import os
 import re
+import struct
+import zlib
 
 import tool
-from tool import LIMIT, SCENES, USAGE
+from tool import LIMIT, OK, SCENES, USAGE
 
-COMMANDS = ("render", "simulate", "sweep", "budget", "study", "compare", "check", "level")
+COMMANDS = ("render", "simulate", "sweep", "budget", "study", "compare", "check", "level", "formats")
 KEEL = SCENES / "keel.json"
 
 
@@ -23,20 +26,28 @@ class Commands(tool.EndToEnd):
 
     def test_usage(self):
         self.refused(USAGE, says="command is required")
-        self.refused(USAGE, "paint", says="paint")
-        self.refused(USAGE, "--paint", says="--paint")
+        self.refused(USAGE, "paint", says="paint: unknown command; pyrasim --help")
+        self.refused(USAGE, "--paint", says="--paint: unknown option; pyrasim --help")
+        for wrong, meant in (("simulte", "simulate"), ("redner", "render"), ("bugdet", "budget"), ("sweeep", "sweep"),
+                             ("formts", "formats")):
+            self.refused(USAGE, wrong, KEEL, says=f"{wrong}: unknown command; did you mean {meant}?")
+        self.refused(USAGE, "study", "numercs", KEEL, says="numercs: unknown command; did you mean numerics?")
+        for wrong, meant in (("--scaler", "--scalar"), ("--sclaar=fp24", "--scalar"), ("--max_level", "--max-level")):
+            self.refused(USAGE, "render", KEEL, wrong, "fp24",
+                         says=f"{wrong.split('=')[0]}: unknown option; did you mean {meant}?")
+        self.refused(USAGE, "x" * 100000, says="unknown command; pyrasim --help")
         for command in COMMANDS:
             self.refused(USAGE, command, "--paint", "x", says="")
-            if command != "level":
+            if command not in ("level", "formats"):
                 self.refused(USAGE, command, says="is required")
         for command in ("render", "simulate"):
             for option, value, says in (
                     ("--size", "0x0", "columns 0"), ("--size", "640", "COLUMNSxROWS"), ("--size", "8x", "rows"),
                     ("--size", "8x6x4", "6x4"), ("--size", "-8x6", "-8"), ("--size", "65536x1", "65536"),
                     ("--max-level", "x", "--max-level x"), ("--max-level", "-1", "-1"), ("--max-level", "17", "17"),
-                    ("--max-level", "2.5", "2.5"), ("--max-level", "", "(empty)"), ("--leaf", "median", "mean or drop"),
+                    ("--max-level", "2.5", "2.5"), ("--leaf", "median", "mean or drop"),
                     ("--leaf", "0", "mean or drop"), ("--scalar", "half", "double or float"),
-                    ("--scalar", "", "(empty)"), ("--scalar", "accumulation=fp24", "intersection=FORMAT is allowed"),
+                    ("--scalar", "accumulation=fp24", "intersection=FORMAT is allowed"),
                     ("--scalar", "view_vectors=fp24,", "intersection=FORMAT is allowed"),
                     ("--scalar", "view_vectors=", "(empty)"), ("--scalar", "fix24.12", "multiples of 2^-13 are needed"),
                     ("--scalar", "view_vectors=fp24,view_vectors=fp16", "a second format for view_vectors"),
@@ -44,7 +55,7 @@ class Commands(tool.EndToEnd):
                     ("--png-bits", "9", "9"), ("--png-encoding", "cmyk", "cmyk")):
                 self.refused(USAGE, command, KEEL, option, value, "-o", "out.png", says=says)
             for window, says in (
-                    ("", "--window (empty): X,Y,COLUMNS,ROWS is allowed"), ("1,2,3", "as in 0,0,64,48"),
+                    ("1,2,3", "as in 0,0,64,48"),
                     ("1,2,3,4,5", "as in 0,0,64,48"), ("64x48", "as in 0,0,64,48"), (",0,1,1", "x (empty)"),
                     ("-1,0,1,1", "x -1: a whole number from 0 to 63 is"), ("64,0,1,1", "x 64: a whole number from 0 to 63"),
                     ("0,48,1,1", "y 48: a whole number from 0 to 47"), ("0,0,0,1", "columns 0: a whole number from 1 to 64"),
@@ -53,6 +64,77 @@ class Commands(tool.EndToEnd):
                 self.refused(USAGE, command, KEEL, "--size", "64x48", "--window", window, "-o", "out.png", says=says)
             self.refused(USAGE, command, KEEL, KEEL, says="keel.json")
             self.refused(USAGE, command, KEEL, "--size", says="--size")
+
+    def test_empty_value(self):
+        """An option whose value is empty, a shell's unset variable for one, is not an option that is not given."""
+        scene = self.write("scene.json", tool.scene())
+        options = {"render": ("-o", "--stats", "--size", "--window", "--max-level", "--leaf", "--scalar", "--method",
+                              "--reuse", "--seed", "--threads", "--png-bits", "--png-encoding"),
+                   "simulate": ("-o", "--stats", "--trace", "--machine", "--set", "--max-cycles", "--engine"),
+                   "sweep": ("--csv", "--size", "--leaf", "--max-level", "--reference", "--machine"),
+                   "budget": ("--stats", "--machine", "--fps"), "level": ("--eye",)}
+        for command, names in options.items():
+            for name in names:
+                self.refused(USAGE, command, scene, name, "", says="(empty): a value is needed")
+                self.refused(USAGE, command, scene, f"{'--output' if name == '-o' else name}=", says="missing")
+        for name in ("--csv", "--plot", "--formats", "--machine"):
+            self.refused(USAGE, "study", "numerics", scene, name, "", says=f"{name}: (empty): a value is needed")
+        self.write("a.pfm", b"PF\n1 1\n-1.0\n" + bytes(12))
+        for name in ("-o", "--at", "--crop", "--scale", "--stats"):
+            self.refused(USAGE, "compare", "a.pfm", "a.pfm", name, "", says="(empty): a value is needed")
+        for command in (["render"], ["simulate"], ["sweep"], ["budget"], ["study", "numerics"], ["level"]):
+            self.refused(USAGE, *command, "", says="SCENE: (empty): a value is needed")
+        self.refused(USAGE, "check", "", says="FILE: (empty)")
+        self.refused(USAGE, "compare", "", "a.pfm", says="FIRST: (empty)")
+        self.refused(USAGE, "compare", "a.pfm", "", says="SECOND: (empty)")
+
+    def test_numbers(self):
+        """Decimal digits within the limits; nothing wraps, is cut off or read as octal."""
+        scene = self.write("scene.json", tool.scene())
+        whole = ("-1", "+1", "1.5", "1e3", "0x10", " 1", "1 ", "1_000", "18446744073709551616", "x", "nan", "inf")
+        for value in whole:
+            self.refused(USAGE, "render", scene, "--seed", value,
+                         says=f"--seed: {value}: a whole number from 0 to 18446744073709551615 is allowed")
+            self.refused(USAGE, "render", scene, f"--seed={value}", says="--seed")
+            for command in (["render"], ["simulate"], ["study", "numerics"]):
+                self.refused(USAGE, *command, scene, "--threads", value, says="a whole number from 0 to 1024 is allowed")
+            for command in (["simulate"], ["sweep"], ["budget"], ["study", "numerics"]):
+                self.refused(USAGE, *command, scene, "--max-cycles", value, says="a whole number from 1 to")
+            self.refused(USAGE, "render", scene, "--png-bits", value, says="--png-bits")
+            for method in ("grid", "jitter"):
+                self.refused(USAGE, "render", scene, "--method", f"{method}:{value}", says="with N from 1 to 256")
+        self.refused(USAGE, "render", scene, "--threads", "1025", says="from 0 to 1024")
+        self.refused(USAGE, "render", scene, "--threads", "4294967297", says="from 0 to 1024")
+        self.refused(USAGE, "simulate", scene, "--max-cycles", "0", says="from 1 to")
+        for value in ("nan", "inf", "-1", "0", "1e7", "1e999", "0x10", "x", "1 "):
+            self.refused(USAGE, "budget", scene, "--fps", value, says="--fps")
+        def picture(seed):
+            return self.stats("render", scene, "--method", "jitter:2", "--seed", seed)["image"]
+        self.assertEqual(picture("010"), picture("10"))
+        self.assertNotEqual(picture("18446744073709551615"), picture("1"))
+
+    def test_grid_of_a_peer(self):
+        """Formats are checked against the grid that the method's own rays go through."""
+        coarse = ["render", KEEL, "--size", "64x48", "--scalar", "fix32.12"]
+        self.ok(*coarse, "--method", "grid:8")
+        self.refused(USAGE, *coarse, "--method", "jitter:1", says="multiples of 2^-")
+
+    def test_formats(self):
+        """Each that --scalar takes, on a page of its own; the help of --scalar names that page."""
+        text = self.ok("formats")
+        names = self.formats()
+        self.assertEqual(len(names), 35)
+        scene = self.write("scene.json", tool.scene())
+        refused = self.run_tool("render", scene, "--scalar", "half").stderr
+        for name in names:
+            self.assertIn(name, refused)
+        for row in (r"fp16 +16 +5 +11 +2\^16 +2\^-10 +2\^-24 +also e5p11; IEEE 754 binary16",
+                    r"double +64 +11 +53 +2\^1024 +2\^-52 +2\^-1074 .*", r"fix32\.12 +32 +19 +12 +2\^19 +2\^-12"):
+            self.assertRegex(text, rf"(?m)^{row}$")
+        for command in ("render", "simulate", "budget"):
+            help_text = self.ok(command, "--help")
+            self.assertIn("pyrasim formats", help_text)
+            self.assertNotIn("e8p12", help_text)
 
     def test_picture_larger_than_memory(self):
         size = 65535
@@ -66,7 +148,7 @@ class Commands(tool.EndToEnd):
             self.ok(command, KEEL, "--size", f"{size}x{size}", "--window", "65527,65527,8,8", "--max-level", 16)
 
     def test_usage_of_one_command(self):
-        for method in ("paint", "grid", "grid:", "grid:0", "grid:257", "grid:2x", "jitter:-1", "point:2", ""):
+        for method in ("paint", "grid", "grid:", "grid:0", "grid:257", "grid:2x", "jitter:-1", "point:2"):
             self.refused(USAGE, "render", KEEL, "--method", method, says="jitter:N with N from 1 to 256")
             self.refused(USAGE, "sweep", KEEL, "--reference", method, says="jitter:N with N from 1 to 256")
         for option, value in (("--reuse", "all"), ("--threads", "-1"), ("--threads", "x"), ("--seed", "x")):
@@ -161,8 +243,32 @@ class Commands(tool.EndToEnd):
         self.assertEqual(self.ok("compare", "b.pfm", "a.pfm"), line)
         columns, rows, _ = tool.read_pfm(self.folder / "view.pfm")
         self.assertTrue(columns >= 60 and rows >= 24, (columns, rows))
-        for option, value in (("--crop", "0x1"), ("--at", "1"), ("--at", "95,0"), ("--scale", "0")):
-            self.refused(USAGE, "compare", "a.pfm", "b.pfm", "--crop", "10x8", option, value)
+        for option, value, says in (("--crop", "0x1", "--crop: columns 0"), ("--crop", "10", "--crop 10: COLUMNSxROWS"),
+                                    ("--crop", "10x", "--crop: rows (empty)"), ("--at", "1", "--at"),
+                                    ("--at", "95,0", "--at: column 95"), ("--scale", "0", "--scale"),
+                                    ("--scale", "65", "--scale"), ("--scale", "-1", "--scale")):
+            self.refused(USAGE, "compare", "a.pfm", "b.pfm", "--crop", "10x8", option, value, says=says)
+        document = json.loads(self.run_tool("compare", "a.pfm", "b.pfm", "--stats", "-").stdout)
+        self.assertAlmostEqual(document["rmse"], rmse, 6)
+        self.ok("compare", "a.pfm", "a.pfm", "--stats", "same.json")
+        self.assertIsNone(tool.read_json(self.folder / "same.json")["psnr_db"])
+
+    def test_compare_transparent(self):
+        """Alpha is composed over black, and the output says so."""
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        def png(color_type, row):
+            header = struct.pack(">IIBBBBB", 2, 1, 8, color_type, 0, 0, 0)
+            return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"\0" + row))
+                    + chunk(b"IEND", b""))
+        self.write("clear.png", png(6, bytes((255, 255, 255, 0, 255, 0, 0, 255))))
+        self.write("opaque.png", png(2, bytes((255, 255, 255, 255, 0, 0))))
+        self.write("black.png", png(2, bytes((0, 0, 0, 255, 0, 0))))
+        remark = "clear.png: 1 pixels are not opaque; composed over black\n"
+        self.assertEqual(self.ok("compare", "clear.png", "black.png"), remark + "RMSE 0, maximum 0, PSNR inf dB\n")
+        self.assertTrue(self.ok("compare", "opaque.png", "clear.png").startswith(remark + "RMSE 0.707107, maximum 1,"))
+        self.assertTrue(self.ok("compare", "opaque.png", "black.png").startswith("RMSE 0.707107"))
+        self.assertIn("composed over black", self.ok("compare", "--help"))
 
 
 tool.main()

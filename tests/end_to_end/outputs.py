@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where output goes: files that cannot be written, a full stdout, and what a success leaves."""
+"""Where output goes: files that cannot be written, a full stdout, descriptors, and what a success leaves."""
 
+import json
 import os
 import subprocess
+import xml.etree.ElementTree
 
 import tool
 from tool import OK, RUN_FAILED, USAGE
@@ -19,11 +21,12 @@ class Outputs(tool.EndToEnd):
             for command in ("render", "simulate"):
                 self.refused(RUN_FAILED, command, self.scene, "-o", target, says=f"{target}: cannot write")
                 self.refused(RUN_FAILED, command, self.scene, "--stats", target, says=f"{target}: cannot write")
-                self.refused(RUN_FAILED, command, self.scene, "-o", target, "--stats", target, says=target)
+                self.refused(RUN_FAILED, command, self.scene, "-o", target, "--stats", "missing/out.json", says=target)
                 self.refused(RUN_FAILED, command, self.scene, "-o", "good.png", "--stats", target, says=target)
                 self.refused(RUN_FAILED, command, self.scene, "-o", target, "--stats", "good.json", says=target)
-            self.refused(RUN_FAILED, "simulate", self.scene, "--trace", target, "-o", "good.png", says=target)
             self.refused(RUN_FAILED, "sweep", self.scene, "--csv", target, says=target)
+        self.refused(RUN_FAILED, "simulate", self.scene, "--trace", "missing/out.vcd", "-o", "good.png",
+                     says="missing/out.vcd: cannot write")
         self.refused(RUN_FAILED, "render", self.scene, "--stats", "/dev/full", "-o", "/dev/null/out.png")
         for ending in ("bmp", "PNG", "json", ""):
             self.refused(USAGE, "render", self.scene, "-o", f"out.{ending}", says="its name must end in .png or .pfm")
@@ -80,6 +83,167 @@ class Outputs(tool.EndToEnd):
                 self.assertNotIn("SystemC", output)
         self.ok("sweep", tool.SCENES / "keel.json", "--size", "16x12,20x15", "--max-level", "0:2", "--reference",
                 "point")
+
+    def shell(self, redirections, *arguments):
+        """A finished run whose descriptors are as a shell makes them: "2>&-", ">> log"."""
+        return subprocess.run(["sh", "-c", f'exec "$0" "$@" {redirections}', tool.PYRASIM, *map(str, arguments)],
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder,
+                              timeout=60, encoding="utf-8", check=False)
+
+    def test_closed_descriptors(self):
+        """No output takes the place of a stream that is closed, and nothing printed lands in it."""
+        table_on_stdout = ["simulate", self.scene, "-o", "out.png", "--stats", "out.json", "--trace", "out.vcd"]
+        table_on_stderr = ["simulate", self.scene, "-o", "out.png", "--stats", "-", "--trace", "out.vcd"]
+        for arguments in (table_on_stdout, table_on_stderr):
+            def outputs():
+                return {name: (self.folder / name).read_bytes() for name in ("out.png", "out.vcd")}
+            self.run_tool(*arguments)
+            expected = outputs()
+            for closed in ("<&-", ">&-", "2>&-", "<&- >&-", ">&- 2>&-", "<&- >&- 2>&-"):
+                self.assertEqual(self.shell(closed, *arguments).returncode, OK, closed)
+                self.assertEqual(outputs(), expected, closed)
+        for closed in ("2>&-", "<&- 2>&-"):
+            self.assertIn("machine", json.loads(self.shell(closed, *table_on_stderr).stdout))
+
+    def test_descriptors(self):
+        """What a descriptor leads to is written where its opener wants it, and is not replaced."""
+        def content(name):
+            return (self.folder / name).read_text()
+        self.ok("render", self.scene, "--stats", "plain.json")
+        for name in ("/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "-"):
+            arguments = ["render", self.scene, "--stats", name]
+            document = self.run_tool(*arguments).stdout
+            self.assertEqual(json.loads(document)["rays"], tool.read_json(self.folder / "plain.json")["rays"])
+            self.write("log", "old\n")
+            self.assertEqual(self.shell(">> log", *arguments).returncode, OK)
+            self.assertEqual(content("log"), "old\n" + document)
+            self.assertEqual(self.shell("> log", *arguments).returncode, OK)
+            self.assertEqual(content("log"), document)
+        for name in ("/dev/stderr", "/dev/fd/3"):
+            arguments = ["simulate", self.scene, "--stats", name]
+            self.write("log", "old\n")
+            run = self.shell("2>> log 3>> log", *arguments)
+            self.assertEqual(run.returncode, OK)
+            self.assertIn("cycles", run.stdout)
+            self.assertEqual(content("log")[:6], "old\n{\n")
+        self.refused(RUN_FAILED, "render", self.scene, "--stats", "/dev/fd/9", says="/dev/fd/9: cannot write: Bad file")
+
+    def test_table_gives_way(self):
+        """Where an output takes stdout, by whatever name, the table goes to stderr."""
+        for command in (["simulate", self.scene], ["budget", self.scene]):
+            for name in ("-", "/dev/stdout", "/proc/self/fd/1"):
+                run = self.run_tool(*command, "--stats", name)
+                self.assertEqual(run.returncode, OK, run.stderr)
+                self.assertIn("scene", json.loads(run.stdout))
+                self.assertIn("frames per second", run.stderr)
+        run = self.shell("> out.json", "simulate", self.scene, "--stats", "out.json")
+        self.assertIn("machine", tool.read_json(self.folder / "out.json"))
+        self.assertIn("cycles", run.stderr)
+
+    def test_symbolic_links(self):
+        """A link stays; what it leads to is written, also where that does not exist yet."""
+        (self.folder / "sub").mkdir()
+        (self.folder / "new.png").symlink_to("sub/target.png")
+        (self.folder / "again.png").symlink_to("new.png")
+        for _ in range(2):
+            self.ok("render", self.scene, "-o", "again.png")
+            self.assertTrue((self.folder / "new.png").is_symlink() and (self.folder / "again.png").is_symlink())
+            self.assertTrue((self.folder / "sub/target.png").read_bytes().startswith(b"\x89PNG"))
+        (self.folder / "astray.png").symlink_to("missing/target.png")
+        self.refused(RUN_FAILED, "render", self.scene, "-o", "astray.png", says="astray.png: cannot write: No such file")
+
+    def test_two_outputs_in_one(self):
+        """One would be lost: refused before the work, whatever the names; both options are named."""
+        self.write("there.vcd", "old")
+        os.link(self.folder / "there.vcd", self.folder / "hard.vcd")
+        (self.folder / "soft.vcd").symlink_to("there.vcd")
+        (self.folder / "dangling.vcd").symlink_to("new.vcd")
+        (self.folder / "here").symlink_to(".")
+        os.mkfifo(self.folder / "pipe.vcd")
+        for first, second in (("new.vcd", "new.vcd"), ("new.vcd", "./new.vcd"), ("new.vcd", "here/new.vcd"),
+                              ("new.vcd", self.folder / "new.vcd"), ("new.vcd", "dangling.vcd"),
+                              ("there.vcd", "hard.vcd"), ("there.vcd", "soft.vcd"), ("pipe.vcd", "pipe.vcd"),
+                              ("-", "-"), ("-", "/dev/stdout"), ("/dev/stdout", "/dev/fd/1"),
+                              ("/dev/stderr", "/proc/self/fd/2")):
+            self.refused(USAGE, "simulate", self.scene, "--stats", first, "--trace", second,
+                         says=f"--stats {first} and --trace {second} are one file or stream")
+        for command, options in ((["render"], ("-o", "--stats")), (["simulate"], ("-o", "--stats")),
+                                 (["simulate"], ("-o", "--trace")), (["compare", "a.pfm"], ("-o", "--stats")),
+                                 (["study", "numerics"], ("--csv", "--plot"))):
+            name = {"-o": "same.png", "--csv": "same.svg"}[options[0]]
+            if options[1] == "--trace":
+                (self.folder / "same.vcd").symlink_to(name)
+            second = "same.vcd" if options[1] == "--trace" else name
+            input_file = "b.pfm" if command[0] == "compare" else self.scene
+            self.refused(USAGE, *command, input_file, options[0], name, options[1], second,
+                         says=f"{options[0]} {name} and {options[1]} {second} are one file or stream")
+        self.ok("simulate", self.scene, "--stats", "/dev/null", "--trace", "/dev/null")
+        log = self.shell("2> out.json", "simulate", self.scene, "--stats", "out.json")
+        self.assertEqual(log.returncode, USAGE)
+        self.assertIn("stderr goes to this file", (self.folder / "out.json").read_text())
+
+    def test_output_that_is_an_input(self):
+        """It would be replaced: refused before the work, and the input stays."""
+        mesh = self.write("mesh.obj", "v 5 -1 -1\nv 5 1 -1\nv 5 0 1\nf 1 2 3\n")
+        scene = self.write("mesh.json", tool.scene([{"type": "mesh", "file": "mesh.obj", "color": [1, 1, 1]}]))
+        machine = self.write("machine.json", {"clock_mhz": 100})
+        (self.folder / "soft.json").symlink_to("mesh.json")
+        self.write("a.pfm", b"PF\n1 1\n-1.0\n" + bytes(12))
+        self.write("b.pfm", b"PF\n1 1\n-1.0\n" + bytes(12))
+        before = {file: (self.folder / file).read_bytes() for file in ("mesh.json", "mesh.obj", "machine.json", "a.pfm")}
+        for command in (["render"], ["simulate"], ["budget"]):
+            for output in ("mesh.json", "./mesh.json", scene, "soft.json", "mesh.obj", mesh):
+                self.refused(USAGE, *command, "mesh.json", "--stats", output,
+                             says=f"--stats {output}: SCENE reads this file")
+        for command in (["simulate"], ["budget"]):
+            self.refused(USAGE, *command, "mesh.json", "--machine", machine, "--stats", "machine.json",
+                         says="--stats machine.json: --machine reads this file")
+        self.refused(USAGE, "sweep", "mesh.json", "--csv", "mesh.obj", says="--csv mesh.obj: SCENE reads this file")
+        self.refused(USAGE, "study", "numerics", "mesh.json", "--csv", "mesh.obj", says="SCENE reads this file")
+        self.refused(USAGE, "compare", "a.pfm", "b.pfm", "-o", "a.pfm", says="-o a.pfm: FIRST reads this file")
+        self.refused(USAGE, "compare", "a.pfm", "b.pfm", "-o", "./b.pfm", says="-o ./b.pfm: SECOND reads this file")
+        self.assertEqual({file: (self.folder / file).read_bytes() for file in before}, before)
+
+    def test_kinds(self):
+        """A name whose ending says another kind than is written is refused; a stream takes what it is sent."""
+        for name in ("x.fst", "x", "x.VCD", "x.json"):
+            self.refused(USAGE, "simulate", self.scene, "--trace", name, says=f"--trace {name}: its name must end in .vcd")
+        for name in ("x.png", "x.pdf", "x"):
+            self.refused(USAGE, "study", "numerics", self.scene, "--plot", name, says="its name must end in .svg")
+        for name in ("-", "/dev/stdout", "/dev/fd/1"):
+            self.assertTrue(self.run_tool("simulate", self.scene, "--trace", name).stdout.startswith("$"))
+
+    def test_names_in_files(self):
+        """A file's name of any bytes leaves plots, pictures and statistics valid; the recorded command line is exact."""
+        name = b"a\x1b[2J\x9b\xc2\x9b\xff<&>'\\ \n\xe2\x82\xac.json"
+        (self.folder / os.fsdecode(name)).write_text(json.dumps(tool.scene()))
+        self.ok("study", "numerics", name, "--formats", "fp16", "--plot", "plot.svg")
+        plot = xml.etree.ElementTree.parse(self.folder / "plot.svg").getroot()
+        self.assertIn("<&>'\\ \ufffd\u20ac.json", "".join(plot.itertext()))
+        self.ok("render", name, "-o", "out.png", "--stats", "out.json")
+        command = tool.read_json(self.folder / "out.json")["command"]
+        self.assertTrue(command.isprintable(), command)
+        texts = dict(tool.texts_of_png(self.folder / "out.png"))
+        self.assertEqual(texts["Comment"], command)
+        words = subprocess.run(["bash", "-c", f"printf '%s\\0' {command}"], stdout=subprocess.PIPE, check=True).stdout
+        self.assertEqual(words.split(b"\0")[:-1], [b"pyrasim", b"render", name, b"-o", b"out.png", b"--stats", b"out.json"])
+        self.assertEqual(dict(tool.texts_of_png(self.picture("plain.json")))["Comment"],
+                         "pyrasim render plain.json -o out.png")
+
+    def picture(self, scene):
+        self.write(scene, tool.scene())
+        self.ok("render", scene, "-o", "out.png")
+        return self.folder / "out.png"
+
+    def test_render_without_output(self):
+        """Its counts, as simulate prints them."""
+        table = self.ok("render", self.scene)
+        simulated = self.ok("simulate", self.scene)
+        counts = table[table.index("rays") :]
+        self.assertIn("level", counts)
+        self.assertIn(counts, simulated)
+        self.assertEqual(self.ok("render", self.scene, "-o", "out.png"), "")
+        self.assertRegex(self.ok("render", self.scene, "--method", "grid:2"), r"8x6 pixels, grid:2\n\nrays +192 ")
 
 
 tool.main()

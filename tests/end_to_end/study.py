@@ -57,9 +57,7 @@ class Study(tool.EndToEnd):
 
     def test_all_formats_without_a_list(self):
         table = self.ok("study", "numerics", SCENES / "fins.json", "--size", "64x48", "--max-level", "1")
-        help_text = self.ok("render", "--help")
-        formats = re.search(r"formats: (.*?)\n\s+-o", help_text, re.DOTALL)[1].replace(",", " ").split()
-        for name in formats:
+        for name in self.formats():
             self.assertRegex(table, rf"(?m)^ +{re.escape(name)} +\d")
         self.assertIn("the smallest format that leaves", table)
 

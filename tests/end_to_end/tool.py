@@ -12,7 +12,7 @@ import sys
 import tempfile
 import unittest
 
-PYRASIM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+PYRASIM, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 SCENES = SOURCE / "scenes"
 MACHINES = SOURCE / "machines"
 
@@ -55,6 +55,22 @@ def sha256_of_pfm(file):
 
 def pixel_of_pfm(file, row, column):
     return struct.unpack_from("<3f", read_pfm(file)[2][row], column * 12)
+
+
+def texts_of_png(file):
+    """Keyword and text of each text chunk, which has to be ASCII (tEXt) or UTF-8 (iTXt)."""
+    data = pathlib.Path(file).read_bytes()
+    at = 8
+    while at < len(data):
+        length, kind = struct.unpack_from(">I4s", data, at)
+        content = data[at + 8 : at + 8 + length]
+        if kind == b"tEXt":
+            keyword, text = content.split(b"\0")
+            yield keyword.decode("ascii"), text.decode("ascii")
+        elif kind == b"iTXt":
+            keyword, rest = content.split(b"\0", 1)
+            yield keyword.decode("ascii"), rest[2:].split(b"\0", 2)[2].decode("utf-8")
+        at += 12 + length
 
 
 class EndToEnd(unittest.TestCase):
@@ -116,6 +132,10 @@ class EndToEnd(unittest.TestCase):
         self.assertTrue(lines[0].startswith("pyrasim: "), where)
         self.assertIn(says, lines[0], where)
         self.assertEqual(self.listing(), before, where)
+
+    def formats(self):
+        """The names of all number formats."""
+        return re.findall(r"(?m)^(\w+(?:\.\d+)?) +\d+ +\d+ +\d+ +2\^", self.ok("formats"))
 
     def listing(self):
         return sorted(str(path) for path in self.folder.rglob("*"))

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../test_scenes.h"
+#include "hw_model/report/deadlock.h"
 #include "simulation.h"
 
 namespace pyrasim::hw {

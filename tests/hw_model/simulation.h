@@ -4,14 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "hw_model/processor.h"
-#include "hw_model/report/deadlock.h"
+#include "machines.h"
 #include "render/method.h"
 
 namespace pyrasim::hw {
@@ -19,125 +17,26 @@ namespace pyrasim::hw {
 /// Elaborates machines, then runs them all in one simulation; once a process.
 class Simulation {
  public:
-  Processor& add(const Scene& scene, const MachineSpec& spec, const SimulationOptions& options) {
-    machines_.push_back(
-        std::make_unique<Processor>(("machine_" + std::to_string(machines_.size())).c_str(), scene, spec, options));
-    return *machines_.back();
-  }
-
-  void run() {
-    sc_core::sc_start();
-    for (const auto& machine : machines_) ASSERT_TRUE(machine->complete()) << machine_state(*machine);
-  }
+  Processor& add(const Scene& scene, const MachineSpec& spec, const SimulationOptions& options);
+  void run();
 
  private:
   std::vector<std::unique_ptr<Processor>> machines_;
 };
 
-/// One unit, all latencies and intervals 1, and every ray takes the unit one cycle.
-inline MachineSpec quick_machine() {
-  MachineSpec spec;
-  spec.view_vector_generator.latency = 1;
-  spec.intersection_units = 1;
-  spec.intersection_latency = 1;
-  spec.intersection_cost = {1, 0, {0, 0, 0}};
-  spec.pyramid_classifier.latency = 1;
-  spec.subdivision_controller.latency = 1;
-  spec.tree_accumulator.latency = 1;
-  return spec;
-}
-
-inline MachineSpec with_all_fifos(MachineSpec spec, std::size_t depth) {
-  spec.fifos = {depth, depth, depth, depth, depth, depth, depth, depth};
-  return spec;
-}
-
 /// What the reference renderer makes of the frame.
-inline Rendering reference(const Scene& scene, const SimulationOptions& simulation) {
-  Method method;
-  method.pyramids = {.max_level = simulation.max_level, .leaf = simulation.leaf};
-  return render(scene, method, simulation.formats, 1);
-}
-inline Rendering reference(const Scene& scene, int max_level) {
-  SimulationOptions simulation;
-  simulation.max_level = max_level;
-  return reference(scene, simulation);
-}
+Rendering reference(const Scene& scene, const SimulationOptions& simulation);
+Rendering reference(const Scene& scene, int max_level);
 
 /// Image and counts of a machine are the reference renderer's.
-inline void expect_results(const Processor& machine, const Rendering& expected) {
-  EXPECT_TRUE(machine.image().pixels() == expected.image.pixels()) << machine.name();
-  const FrameStatistics statistics = machine.statistics();
-  EXPECT_EQ(statistics.rays_by_level, expected.statistics.rays_by_level) << machine.name();
-  EXPECT_EQ(statistics.cases_by_level, expected.statistics.cases_by_level) << machine.name();
-  EXPECT_EQ(statistics.subdivisions, expected.statistics.subdivisions) << machine.name();
-  EXPECT_EQ(statistics.terminal_nodes, expected.statistics.terminal_nodes) << machine.name();
-  EXPECT_EQ(statistics.work, expected.statistics.work) << machine.name();
-}
+void expect_results(const Processor& machine, const Rendering& expected);
 
 /// Both machines took the same time for the same reasons: every account is equal.
-inline void expect_same_time(const Processor& a, const Processor& b) {
-  EXPECT_EQ(a.cycles(), b.cycles()) << a.name();
-  ASSERT_EQ(a.stages().size(), b.stages().size());
-  for (std::size_t k = 0; k < a.stages().size(); ++k) {
-    const StageStatistics x = a.stages()[k]->statistics(a.cycles());
-    const StageStatistics y = b.stages()[k]->statistics(b.cycles());
-    const char* name = a.stages()[k]->name();
-    EXPECT_EQ(x.busy, y.busy) << name;
-    EXPECT_EQ(x.starved, y.starved) << name;
-    EXPECT_EQ(x.blocked, y.blocked) << name;
-    EXPECT_EQ(x.idle, y.idle) << name;
-    EXPECT_EQ(x.firings, y.firings) << name;
-  }
-  const auto slowest = [](const Processor& machine) { return machine.tree_accumulator().slowest().list(); };
-  EXPECT_TRUE(std::equal(slowest(a).begin(), slowest(a).end(), slowest(b).begin(), slowest(b).end())) << a.name();
-  ASSERT_EQ(a.fifos().size(), b.fifos().size());
-  for (std::size_t k = 0; k < a.fifos().size(); ++k) {
-    const FifoStatistics& x = a.fifos()[k]->statistics();
-    const FifoStatistics& y = b.fifos()[k]->statistics();
-    const char* name = a.fifos()[k]->name();
-    EXPECT_EQ(x.max, y.max) << name;
-    EXPECT_EQ(x.token_cycles, y.token_cycles) << name;
-    EXPECT_EQ(x.tokens, y.tokens) << name;
-    EXPECT_EQ(x.starved, y.starved) << name;
-    EXPECT_EQ(x.blocked, y.blocked) << name;
-  }
-}
+void expect_same_time(const Processor& a, const Processor& b);
 
 /// What holds for every machine and frame.
-inline void expect_sound(const Processor& machine) {
-  const Cycle cycles = machine.cycles();
-  std::map<std::string, Cycle> waits;
-  for (const Stage* stage : machine.stages()) {
-    const StageStatistics s = stage->statistics(cycles);
-    EXPECT_EQ(s.busy + s.starved + s.blocked + s.idle, cycles) << stage->name();
-    EXPECT_LE(s.busy, cycles) << stage->name();
-    EXPECT_LE(s.firings, s.busy) << stage->name();
-    waits["starved"] += s.starved;
-    waits["blocked"] += s.blocked;
-  }
-  std::map<std::string, Cycle> causes;
-  for (const FifoBase* fifo : machine.fifos()) {
-    const FifoStatistics& s = fifo->statistics();
-    EXPECT_LE(s.max, s.depth) << fifo->name();
-    EXPECT_LE(s.token_cycles, s.depth * (cycles + 1)) << fifo->name();
-    causes["starved"] += s.starved;
-    causes["blocked"] += s.blocked;
-    const bool credits = std::string(fifo->basename()) == "tree_accumulator_to_pixel_scan";
-    EXPECT_TRUE(credits || fifo->empty()) << fifo->name();
-  }
-  EXPECT_EQ(waits, causes) << machine.name();
-  if (machine.controller() != nullptr) {
-    EXPECT_LE(machine.controller()->pool_max(), machine.controller()->pool_depth()) << machine.name();
-  }
-}
+void expect_sound(const Processor& machine);
 
-inline StageStatistics stage_statistics(const Processor& machine, const std::string& stage_name) {
-  for (const Stage* stage : machine.stages()) {
-    if (stage->basename() == stage_name) return stage->statistics(machine.cycles());
-  }
-  ADD_FAILURE() << stage_name << " was not built";
-  return {};
-}
+StageStatistics stage_statistics(const Processor& machine, const std::string& stage_name);
 
 }  // namespace pyrasim::hw

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "../temporary_folder.h"
 #include "error.h"
-#include "temporary_folder.h"
 
 namespace pyrasim {
 namespace {

@@ -6,10 +6,10 @@
 #include <limits>
 #include <ostream>
 
+#include "../temporary_folder.h"
 #include "error.h"
 #include "image/srgb.h"
 #include "image/write_image.h"
-#include "temporary_folder.h"
 
 namespace pyrasim {
 
@@ -98,6 +98,13 @@ TEST(Png, carries_text) {
   EXPECT_EQ(chunk(png, "iTXt"), std::string("Comment\0\0\0\0\0K\xC3\xA4", 15));
 }
 
+TEST(Png, text_is_utf8_and_plain_text_is_printable) {
+  const std::string invalid = encode_png(ramp(), {}, {{"Comment", "sph\xE8re"}});
+  EXPECT_EQ(chunk(invalid, "tEXt"), "");
+  EXPECT_EQ(chunk(invalid, "iTXt"), std::string("Comment\0\0\0\0\0sph\xEF\xBF\xBDre", 20));
+  EXPECT_EQ(chunk(encode_png(ramp(), {}, {{"Comment", "\x1B[2J"}}), "tEXt"), "");
+}
+
 TEST_F(PngTest, rounds_to_nearest_and_clamps) {
   const float infinity = std::numeric_limits<float>::infinity();
   const Image image =
@@ -116,22 +123,83 @@ TEST_F(PngTest, srgb_signal_of_known_values) {
   EXPECT_NEAR(back.pixels()[1].x, linear_from_srgb(55.0 / 255), 1e-7);
 }
 
+/// Red of alpha 128 of 255, and green.
 TEST_F(PngTest, reads_a_palette_of_one_bit_with_alpha) {
   put(in_folder("a.png"),
       from_hex("89504e470d0a1a0a0000000d4948445200000002000000010103000000ceecedc900000006504c5445ff000000ff00d287ef71"
                "0000000174524e5380ad5e5b460000000a4944415478da637000000042004184bf8e620000000049454e44ae426082"));
-  const Image image = read_png(in_folder("a.png"));
-  EXPECT_EQ(image.pixels(), (std::vector<glm::vec3>{{1, 0, 0}, {0, 1, 0}}));
+  std::uint64_t transparent = 0;
+  const Image image = read_png(in_folder("a.png"), &transparent);
+  EXPECT_FLOAT_EQ(image.at(0, 0).x, 128.0F / 255);
+  EXPECT_EQ(image.at(0, 0).y, 0);
+  EXPECT_EQ(image.at(0, 1), glm::vec3(0, 1, 0));
+  EXPECT_EQ(transparent, 1U);
 }
 
 TEST_F(PngTest, reads_grey_and_alpha_of_a_stated_gamma) {
   put(in_folder("a.png"),
       from_hex("89504e470d0a1a0a0000000d49484452000000020000000108040000005e2bb7010000000467414d410000c3500099b534"
                "0000000d4944415478da6330e6fccf000002ea013c56fb88a20000000049454e44ae426082"));
-  const Image image = read_png(in_folder("a.png"));  // gamma 1/2, signals 0.2 and 1
-  EXPECT_FLOAT_EQ(image.at(0, 0).x, 0.04F);
-  EXPECT_FLOAT_EQ(image.at(0, 0).z, 0.04F);
-  EXPECT_FLOAT_EQ(image.at(0, 1).y, 1.0F);
+  const Image image = read_png(in_folder("a.png"));  // gamma 1/2, signals 0.2 and 1 of alpha 9 of 255 and 0
+  EXPECT_FLOAT_EQ(image.at(0, 0).x, 0.04F * 9 / 255);
+  EXPECT_FLOAT_EQ(image.at(0, 0).z, 0.04F * 9 / 255);
+  EXPECT_EQ(image.at(0, 1).y, 0);
+}
+
+/// Linear samples (gamma 1), each picture made with Python's zlib from the samples beside it.
+TEST_F(PngTest, composes_every_kind_of_transparency_over_black) {
+  struct Case {
+    const char* what;
+    const char* hex;
+    std::vector<glm::vec3> pixels;
+    std::uint64_t transparent;
+  };
+  const std::vector<Case> cases = {
+      {"8 bits: (255, 102, 0) of alpha 255, the same of 51, white of 0",
+       "89504e470d0a1a0a0000000d49484452000000030000000108060000001be014b40000000467414d41000186a031e8965f0000001449444"
+       "1"
+       "5478da63f89fc6f01f888dffffffcf00002e1206fa2f038f530000000049454e44ae426082",
+       {{1, 0.4F, 0}, {0.2F, 0.08F, 0}, {0, 0, 0}},
+       2},
+      {"16 bits: (65535, 13107, 0) of alpha 13107, white of 65535",
+       "89504e470d0a1a0a0000000d4948445200000002000000011006000000a4b2a3c90000000467414d41000186a031e8965f0000001449444"
+       "1"
+       "5478da63f8ffdfd89881c1d8f83f1400004bf80ac307328e470000000049454e44ae426082",
+       {{0.2F, 0.04F, 0}, {1, 1, 1}},
+       1},
+      {"grey, 16 bits: 65535 of alpha 13107, 13107 of 65535",
+       "89504e470d0a1a0a0000000d49484452000000020000000110040000000ebb6b420000000467414d41000186a031e8965f0000001049444"
+       "1"
+       "5478da63f8ffdf1808feff0700158d04c9f947ad250000000049454e44ae426082",
+       {glm::vec3(0.2F), glm::vec3(0.2F)},
+       1},
+      {"RGB whose colour (10, 20, 30) is transparent, and red",
+       "89504e470d0a1a0a0000000d49484452000000020000000108020000007b40e8dd0000000467414d41000186a031e8965f0000000674524"
+       "e"
+       "53000a0014001ec53629ff0000000f4944415478da63e01291fbcfc00000041c013c7539e1100000000049454e44ae426082",
+       {{0, 0, 0}, {1, 0, 0}},
+       1}};
+  for (const Case& given : cases) {
+    put(in_folder("a.png"), from_hex(given.hex));
+    std::uint64_t transparent = 0;
+    const Image image = read_png(in_folder("a.png"), &transparent);
+    EXPECT_EQ(transparent, given.transparent) << given.what;
+    ASSERT_EQ(image.pixels().size(), given.pixels.size()) << given.what;
+    for (std::size_t i = 0; i < given.pixels.size(); ++i) {
+      for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_NEAR(image.pixels()[i][channel], given.pixels[i][channel], 1e-6) << given.what;
+      }
+    }
+  }
+}
+
+TEST_F(PngTest, opaque_pictures_have_no_transparent_pixels) {
+  for (const PngFormat format : {PngFormat{8, true}, PngFormat{16, false}}) {
+    write_image(in_folder("a.png"), ramp(), format);
+    std::uint64_t transparent = 7;
+    read_image(in_folder("a.png"), &transparent);
+    EXPECT_EQ(transparent, 0U);
+  }
 }
 
 TEST_F(PngTest, bad_files_are_named) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "frames.h"
+#include "pyramid/pyramid.h"
 
 namespace pyrasim::hw {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/output_file.h"
+#include "files/output_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include "../temporary_folder.h"
 #include "error.h"
-#include "temporary_folder.h"
 
 namespace pyrasim {
 namespace {
@@ -96,6 +96,72 @@ TEST_F(OutputFileTest, follows_a_symbolic_link) {
   file.commit();
   EXPECT_TRUE(std::filesystem::is_symlink(in_folder("link")));
   EXPECT_EQ(contents(in_folder("real")), "new");
+}
+
+TEST_F(OutputFileTest, follows_a_symbolic_link_to_a_file_to_come) {
+  std::filesystem::create_directory(in_folder("sub"));
+  std::filesystem::create_symlink("sub/real", in_folder("link"));
+  std::filesystem::create_symlink(in_folder("link"), in_folder("link_to_link"));
+  OutputFile(in_folder("link_to_link")).commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(in_folder("link")));
+  EXPECT_TRUE(std::filesystem::is_symlink(in_folder("link_to_link")));
+  EXPECT_TRUE(std::filesystem::is_regular_file(in_folder("sub/real")));
+}
+
+TEST_F(OutputFileTest, links_in_a_circle_are_an_error) {
+  std::filesystem::create_symlink("b", in_folder("a"));
+  std::filesystem::create_symlink("a", in_folder("b"));
+  EXPECT_EQ(message_of<RunError>([&] { OutputFile file(in_folder("a")); }),
+            in_folder("a").string() + ": cannot write: Too many levels of symbolic links");
+}
+
+/// A descriptor of this process, open on `file` with `flags`.
+class Descriptor {
+ public:
+  Descriptor(const std::filesystem::path& file, int flags) : number_(open(file.c_str(), flags | O_CREAT, 0600)) {}
+  ~Descriptor() { close(number_); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  void write(const std::string& text) const {
+    ASSERT_EQ(::write(number_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  }
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+TEST_F(OutputFileTest, a_descriptor_is_written_behind_what_it_has_written) {
+  for (const char* folder : {"/dev/fd/", "/proc/self/fd/", "/proc/thread-self/fd/"}) {
+    put(in_folder("log"), "old\n");
+    const Descriptor descriptor(in_folder("log"), O_WRONLY | O_TRUNC);
+    descriptor.write("before\n");
+    OutputFile file(folder + std::to_string(descriptor.number()));
+    file.write("output\n");
+    file.commit();
+    descriptor.write("after\n");
+    EXPECT_EQ(contents(in_folder("log")), "before\noutput\nafter\n") << folder;
+  }
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(OutputFileTest, a_descriptor_that_appends_appends) {
+  put(in_folder("log"), "old\n");
+  const Descriptor descriptor(in_folder("log"), O_WRONLY | O_APPEND);
+  std::filesystem::create_symlink("/dev/fd/" + std::to_string(descriptor.number()), in_folder("link"));
+  OutputFile file(in_folder("link"));
+  file.write("new\n");
+  file.commit();
+  EXPECT_EQ(contents(in_folder("log")), "old\nnew\n");
+}
+
+TEST_F(OutputFileTest, a_descriptor_that_cannot_be_written_is_known_at_once) {
+  const Descriptor descriptor(in_folder("log"), O_RDONLY);
+  for (const int number : {descriptor.number(), 987}) {
+    const std::string name = "/dev/fd/" + std::to_string(number);
+    EXPECT_EQ(message_of<RunError>([&] { OutputFile file(name); }), name + ": cannot write: Bad file descriptor");
+  }
 }
 
 TEST_F(OutputFileTest, several_in_one_folder_do_not_disturb_each_other) {

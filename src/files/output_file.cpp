@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/output_file.h"
+#include "files/output_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "error.h"
+#include "files/file_place.h"
 
 namespace pyrasim {
 namespace {
@@ -33,17 +34,19 @@ std::filesystem::path with_temporary_name(const std::filesystem::path& folder, C
   }
 }
 
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), target_(path_) {
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
+  FilePlace place = place_of(path_);
+  target_ = std::move(place.file);
+  if (place.descriptor >= 0) {
+    open_descriptor(place.descriptor);
+    return;
+  }
   struct stat status {};
-  if (stat(path_.c_str(), &status) != 0) {
+  if (stat(target_.c_str(), &status) != 0) {
     if (errno != ENOENT) fail(errno);
-    if (!path_.has_filename()) fail(path_.empty() ? ENOENT : EISDIR);
+    if (!target_.has_filename()) fail(target_.empty() ? ENOENT : EISDIR);
     open_temporary();
     return;
   }
@@ -52,10 +55,7 @@ OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), tar
     open_direct();
     return;
   }
-  if (access(path_.c_str(), W_OK) != 0) fail(errno);
-  std::error_code unresolved;
-  target_ = std::filesystem::canonical(path_, unresolved);
-  if (unresolved) fail(unresolved.value());
+  if (access(target_.c_str(), W_OK) != 0) fail(errno);
   open_temporary();
   // A file that is replaced keeps its permissions where the system lets it.
   [[maybe_unused]] const int ignored = fchmod(descriptor_, status.st_mode & 07777U);
@@ -75,7 +75,7 @@ void OutputFile::publish() {
   try {
     flush();
   } catch (const RunError&) {
-    if (named_) [[maybe_unused]]
+    if (named_ && !direct_) [[maybe_unused]]
       const int ignored = ftruncate(descriptor_, static_cast<off_t>(published));
     throw;
   }
@@ -98,9 +98,18 @@ void OutputFile::commit() {
   if (::close(descriptor) != 0) fail(errno);
 }
 
+/// A copy shares the place in the file with the original, and that it appends.
+void OutputFile::open_descriptor(int descriptor) {
+  direct_ = true;
+  const int flags = fcntl(descriptor, F_GETFL);
+  if (flags >= 0 && (static_cast<unsigned>(flags) & O_ACCMODE) == O_RDONLY) fail(EBADF);
+  descriptor_ = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  if (descriptor_ < 0) fail(errno);
+}
+
 void OutputFile::open_direct() {
   direct_ = true;
-  descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
   if (descriptor_ < 0) fail(errno);
 }
 

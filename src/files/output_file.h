@@ -10,7 +10,9 @@ namespace pyrasim {
 /// A file that appears under its name only when it is complete.
 ///
 /// What is written goes to a nameless or temporary file in the same folder; commit() gives it its name, replacing what
-/// stood there. Without commit() nothing changes. A device or a pipe (`/dev/null`) is written to directly. A file whose
+/// stood there. Without commit() nothing changes. A symbolic link stays, and its target is written, also one that does
+/// not exist yet. A device or a pipe (`/dev/null`) is written to directly, and so is what an open descriptor leads to
+/// (`/dev/stdout`, `/dev/fd/3`): behind what it has written, as its opener wants. A file whose
 /// parts are each complete gets its name with the first of them: publish().
 class OutputFile {
  public:
@@ -36,6 +38,7 @@ class OutputFile {
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  void open_descriptor(int descriptor);
   void open_direct();
   void open_temporary();
   void flush();
