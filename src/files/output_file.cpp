@@ -98,11 +98,14 @@ void OutputFile::commit() {
   if (::close(descriptor) != 0) fail(errno);
 }
 
-/// A copy shares the place in the file with the original, and that it appends.
+/// A copy shares the place in the file with the original, and that it appends. What was handed to the program does not
+/// close on exec, or it would not be here; what does is a file of its own, which nobody can mean.
 void OutputFile::open_descriptor(int descriptor) {
   direct_ = true;
   const int flags = fcntl(descriptor, F_GETFL);
+  const int descriptor_flags = fcntl(descriptor, F_GETFD);
   if (flags >= 0 && (static_cast<unsigned>(flags) & O_ACCMODE) == O_RDONLY) fail(EBADF);
+  if (descriptor_flags >= 0 && (static_cast<unsigned>(descriptor_flags) & FD_CLOEXEC) != 0) fail(EBADF);
   descriptor_ = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
   if (descriptor_ < 0) fail(errno);
 }

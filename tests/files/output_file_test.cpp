@@ -164,6 +164,13 @@ TEST_F(OutputFileTest, a_descriptor_that_cannot_be_written_is_known_at_once) {
   }
 }
 
+/// What the program opened itself, for another output, is nobody's stream.
+TEST_F(OutputFileTest, a_descriptor_of_its_own_is_none_to_write_to) {
+  const Descriptor own(in_folder("other"), O_WRONLY | O_CLOEXEC);
+  const std::string name = "/dev/fd/" + std::to_string(own.number());
+  EXPECT_EQ(message_of<RunError>([&] { OutputFile file(name); }), name + ": cannot write: Bad file descriptor");
+}
+
 TEST_F(OutputFileTest, several_in_one_folder_do_not_disturb_each_other) {
   OutputFile first(in_folder("1"));
   OutputFile second(in_folder("2"));
