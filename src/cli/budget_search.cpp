@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "cli/run_apart.h"
+#include "cli/run_simulation.h"
 #include "hw_model/report/bottleneck.h"
 #include "hw_model/report/deadlock.h"
 
@@ -32,7 +33,7 @@ std::optional<hw::Cycle> cycles_within_budget(const BudgetFrame& frame) {
     hw::SimulationOptions limited = frame.options;
     limited.max_cycles = frame.spec.budget();
     hw::Processor processor("processor", frame.scene, frame.spec, limited);
-    sc_core::sc_start();
+    run_simulation();
     const bool met = processor.complete() && processor.cycles() <= limited.max_cycles;
     return met ? std::optional(processor.cycles()) : std::nullopt;
   });
@@ -111,7 +112,7 @@ FrameOutcome simulate_frame(const BudgetFrame& frame, hw::Cycle max_cycles) {
     hw::SimulationOptions limited = frame.options;
     limited.max_cycles = max_cycles;
     hw::Processor processor("processor", frame.scene, frame.spec, limited);
-    sc_core::sc_start();
+    run_simulation();
     hw::require_finished(processor);
     const std::vector<hw::BottleneckLink> chain = hw::bottleneck_chain(processor);
     const hw::BottleneckLink& end = chain.back();

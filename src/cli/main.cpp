@@ -13,11 +13,11 @@
 
 namespace {
 
-/// SystemC's reports go to stderr; stdout is for data.
+/// SystemC's reports go to stderr; stdout is for data. What is thrown is told by who catches it.
 void report(const sc_core::sc_report& report, const sc_core::sc_actions& actions) {
   if (report.get_severity() == sc_core::SC_INFO) return;
-  std::cerr << "pyrasim: SystemC: " << report.what() << '\n';
   if ((actions & sc_core::SC_THROW) != 0) throw report;
+  std::cerr << "pyrasim: SystemC: " << pyrasim::message_line(report.what()) << '\n';
 }
 
 int run(int argc, char** argv) {

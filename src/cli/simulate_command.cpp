@@ -9,6 +9,7 @@
 #include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
+#include "cli/run_simulation.h"
 #include "cli/statistics_document.h"
 #include "hw_model/report/deadlock.h"
 #include "hw_model/trace/occupancy.h"
@@ -57,11 +58,10 @@ struct SimulateCommand {
     if (statistics) {
       for (hw::FifoBase* fifo : processor.fifos()) occupancies.push_back(std::make_unique<hw::Occupancy>(*fifo));
     }
-    run_interruptibly([] { sc_core::sc_start(); },
-                      [&] {
-                        return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
-                                           processor.frame_buffer().stored(), processor.image().pixels().size());
-                      });
+    run_interruptibly(run_simulation, [&] {
+      return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
+                         processor.frame_buffer().stored(), processor.image().pixels().size());
+    });
     hw::require_finished(processor);
     for (const auto& occupancy : occupancies) occupancy->end_frame(processor.cycles());
     picture.write(processor.image());

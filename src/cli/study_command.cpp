@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <systemc>
 #include <tuple>
 
 #include "cli/command.h"
@@ -13,6 +12,7 @@
 #include "cli/output_plan.h"
 #include "cli/row_output.h"
 #include "cli/run_apart.h"
+#include "cli/run_simulation.h"
 #include "error.h"
 #include "hw_model/processor.h"
 #include "hw_model/report/deadlock.h"
@@ -133,7 +133,7 @@ struct NumericsStudy {
     options.progress = progress;
     options.tracer = make_tracer(scene, format);
     hw::Processor processor("processor", scene, spec, options);
-    sc_core::sc_start();
+    run_simulation();
     hw::require_finished(processor);
     const FrameStatistics statistics = processor.statistics();
     ArithmeticEvents events = statistics.arithmetic.view_vectors;

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <systemc>
 
 #include "cli/command.h"
 #include "cli/csv.h"
@@ -15,6 +14,7 @@
 #include "cli/output_plan.h"
 #include "cli/row_output.h"
 #include "cli/run_apart.h"
+#include "cli/run_simulation.h"
 #include "cli/statistics_document.h"
 #include "cli/sweep_plan.h"
 #include "error.h"
@@ -201,7 +201,7 @@ struct SweepCommand {
     options.max_cycles = machine.max_cycles;
     options.progress = progress;
     hw::Processor processor("processor", shared.scene, point.machine->spec, options);
-    sc_core::sc_start();
+    run_simulation();
     hw::require_finished(processor);
     std::optional<ImageError> error;
     if (shared.truth) error = image_error(processor.image(), shared.truth->image);

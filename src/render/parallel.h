@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -21,13 +23,16 @@ inline int thread_count(int requested) {
 
 /// Runs the tasks 0 to `tasks` - 1, each once, started in ascending order, on `threads` threads: each has a
 /// Worker(context) and calls worker(task). Where `progress` says to stop, no further task is started; those that have
-/// been are finished, because others may wait for them.
+/// been are finished, because others may wait for them. Where the system has no room for a thread, those that there are
+/// do the work. Throws what a worker throws first, when all threads have ended; one that waits for another's task has
+/// to be told by that task.
 template <class Worker, class Context>
 void run_tasks(int tasks, int threads, const Progress& progress, Context& context) {
   std::atomic<int> next{0};
   std::mutex report;
   int finished = 0;
-  const auto loop = [&] {
+  std::exception_ptr failure;
+  const auto run = [&] {
     Worker worker(context);
     for (int task = next++; task < tasks; task = next++) {
       worker(task);
@@ -36,9 +41,23 @@ void run_tasks(int tasks, int threads, const Progress& progress, Context& contex
       if (!progress(static_cast<double>(++finished) / tasks)) next = tasks;
     }
   };
+  const auto loop = [&] {
+    try {
+      run();
+    } catch (...) {
+      const std::scoped_lock lock(report);
+      if (!failure) failure = std::current_exception();
+      next = tasks;
+    }
+  };
   std::vector<std::jthread> helpers;
-  for (int k = 1; k < std::min(threads, tasks); ++k) helpers.emplace_back(loop);
+  try {
+    for (int k = 1; k < std::min(threads, tasks); ++k) helpers.emplace_back(loop);
+  } catch (const std::system_error&) {  // no thread to be had
+  }
   loop();
+  helpers.clear();  // waits for them
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace pyrasim

@@ -17,9 +17,24 @@ constexpr int band_rows = 8;
 /// What two neighbouring bands of pixel rows share: the corner samples of the row of corners between them, and the
 /// points on that line that the upper band's subdivisions traced.
 struct Seam {
+  enum class State { awaited, ready, abandoned };
+
   std::vector<Sample> corners;
   SampleCache border;
-  std::atomic<bool> ready{false};
+  std::atomic<State> state{State::awaited};
+
+  /// Once; what comes later is of no account.
+  void settle(State to) {
+    State from = State::awaited;
+    state.compare_exchange_strong(from, to);
+    state.notify_all();
+  }
+
+  /// Whether it has been handed over, and not abandoned.
+  bool wait() const {
+    state.wait(State::awaited);
+    return state == State::ready;
+  }
 };
 
 /// What all threads read, and the seams by which they hand over.
@@ -48,8 +63,21 @@ class BandWorker {
     frame_.statistics += statistics_;
   }
 
-  /// Band `band`'s first row comes last: it needs the seam that the band above leaves behind.
+  /// Whether the band is done or not, the one below does not wait for ever.
   void operator()(int band) {
+    try {
+      render_band(band);
+    } catch (...) {
+      seam_below(band).settle(Seam::State::abandoned);
+      throw;
+    }
+  }
+
+ private:
+  Seam& seam_below(int band) { return frame_.seams[static_cast<std::size_t>(band) + 1]; }
+
+  /// Band `band`'s first row comes last: it needs the seam that the band above leaves behind.
+  void render_band(int band) {
     first_row_ = band * band_rows;
     const int rows = std::min(band_rows, frame_.window.rows - first_row_);
     if (band == 0) trace_corner_row(0);
@@ -60,24 +88,22 @@ class BandWorker {
       trace_corner_row(k + 1);
       render_row(k);
     }
-    if (band > 0 && rows > 1) hand_over(band + 1, rows);
+    if (band > 0 && rows > 1) hand_over(band, rows);
     if (band > 0) {
       Seam& above = frame_.seams[static_cast<std::size_t>(band)];
-      above.ready.wait(false);
+      if (!above.wait()) return seam_below(band).settle(Seam::State::abandoned);
       corners_[0] = std::move(above.corners);
       borders_[0] = std::move(above.border);
       render_row(0);
     }
-    if (band == 0 || rows == 1) hand_over(band + 1, rows);
+    if (band == 0 || rows == 1) hand_over(band, rows);
   }
 
- private:
-  void hand_over(int seam, int row) {
-    Seam& below = frame_.seams[static_cast<std::size_t>(seam)];
+  void hand_over(int band, int row) {
+    Seam& below = seam_below(band);
     below.corners = std::move(corners_[row]);
     below.border = std::move(borders_[row]);
-    below.ready = true;
-    below.ready.notify_all();
+    below.settle(Seam::State::ready);
   }
 
   Sample trace(GridPoint point) {

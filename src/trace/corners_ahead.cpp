@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <span>
+#include <system_error>
 
 namespace pyrasim {
 namespace {
@@ -27,7 +28,10 @@ CornersAhead::CornersAhead(const Tracer& tracer, const ViewVectors& view_vectors
       overlap_(static_cast<std::int64_t>(out_of_order) / (window.columns + 1) + 1),
       kept_(static_cast<std::size_t>(overlap_ + std::max(corners_ahead / (window.columns + 1), least_rows_ahead))) {
   for (Row& row : kept_) row.corners.resize(static_cast<std::size_t>(window.columns) + 1 + corners_fetched_ahead);
-  thread_ = std::jthread([this] { run(); });
+  try {
+    thread_ = std::jthread([this] { run(); });
+  } catch (const std::system_error&) {  // no thread to be had: all corners are traced by who asks
+  }
 }
 
 CornersAhead::~CornersAhead() {

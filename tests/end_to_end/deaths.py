@@ -94,5 +94,39 @@ class Deaths(tool.EndToEnd):
             self.assertEqual(error, f"pyrasim: {what}: out of memory; a smaller --size takes less memory\n")
             self.assertEqual((process.returncode, output), (RUN_FAILED, ""))
 
+    def test_no_room_for_threads(self):
+        """Each would have a stack larger than any address space: the main one does the work."""
+        def limited():
+            resource.setrlimit(resource.RLIMIT_STACK, (1 << 46, resource.getrlimit(resource.RLIMIT_STACK)[1]))
+        if resource.getrlimit(resource.RLIMIT_STACK)[1] != resource.RLIM_INFINITY:
+            self.skipTest("this user's stacks are limited")
+        for arguments in (["render", KEEL, "--size", "64x48", "--threads", "4"],
+                          ["simulate", KEEL, "--size", "64x48", "--threads", "2"]):
+            with self.start(*arguments, preexec_fn=limited) as process:
+                output, error = process.communicate(timeout=60)
+            self.assertEqual((process.returncode, error), (0, ""))
+            self.assertEqual(output, self.ok(*arguments))
+
+    def test_little_memory(self):
+        """Whatever there is too little memory for, it is one line, and nothing aborts or waits for ever."""
+        failed = 0
+        for arguments in (["render", KEEL, "--size", "300x200", "--threads", "8", "-o", "out.pfm"],
+                          ["simulate", KEEL, "--size", "64x48", "-o", "out.pfm"]):
+            for megabytes in range(12, 80, 2):
+                def limited(bytes_=megabytes << 20):
+                    resource.setrlimit(resource.RLIMIT_AS, (bytes_, bytes_))
+                with self.start("--version", preexec_fn=limited) as process:
+                    process.communicate(timeout=60)
+                if process.returncode != 0:
+                    continue  # its libraries take more
+                with self.start(*arguments, preexec_fn=limited) as process:
+                    _, error = process.communicate(timeout=60)
+                if "Sanitizer" in error:
+                    self.skipTest("the sanitizer needs the address space")
+                if process.returncode != 0:
+                    failed += 1
+                    self.assertEqual((process.returncode, error), (RUN_FAILED, "pyrasim: out of memory\n"), megabytes)
+        self.assertGreater(failed, 0)
+
 
 tool.main()

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <glm/vec2.hpp>
+#include <new>
 
 #include "../test_scenes.h"
 #include "image/image_error.h"
@@ -188,6 +190,33 @@ TEST(PyramidRenderer, ProgressCanStopIt) {
       return false;
     });
     EXPECT_LE(reports, 4);
+  }
+}
+
+/// Runs out of memory in the ray `rays`.
+class ExhaustedTracer final : public Tracer {
+ public:
+  ExhaustedTracer(const Scene& scene, int rays) : scene_(scene), rays_(rays) {}
+  Sample trace(const glm::dvec3& view_vector, Work& work) const override {
+    if (rays_-- == 0) throw std::bad_alloc();
+    return scene_.trace(view_vector, work);
+  }
+  SceneContents contents() const override { return scene_.contents(); }
+
+ private:
+  SceneTracer<double> scene_;
+  mutable std::atomic<int> rays_;
+};
+
+/// Whichever thread it is in, the error arrives, and the one that needs the seam does not wait forever.
+TEST(PyramidRenderer, ErrorsOfAThreadAreThrown) {
+  for (const int columns : {1, 5}) {
+    const Scene scene = random_scene(26, {2, 2, 0}, columns, 8 * 12 + 1);
+    const auto all = static_cast<int>(render(scene, {.max_level = 1}).statistics.total_rays());
+    for (int rays = 0; rays < all; rays += all / 40) {
+      const ExhaustedTracer tracer(scene, rays);
+      EXPECT_THROW(render_pyramids<Tracer>(scene, tracer, {.max_level = 1, .threads = 4}, {}), std::bad_alloc) << rays;
+    }
   }
 }
 
