@@ -10,6 +10,7 @@
 
 #include "cli/nearest.h"
 #include "error.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -30,7 +31,7 @@ Option add_limited(CLI::App& app, const std::string& name, Value& value, Number 
   const auto set = [&value, least, most](const std::string& text) { value = number_within(text, least, most).value(); };
   const auto check = [=](const std::string& text) {
     if (number_within(text, least, most)) return std::string();
-    return fmt::format("{}: a {} from {} to {} is allowed", text, kind, least, most);
+    return fmt::format("{}: a {} from {} to {} is allowed", excerpt(text), kind, least, most);
   };
   CLI::Option* option = app.add_option_function<std::string>(name, set, description);
   if constexpr (std::is_same_v<Value, Number>) {
@@ -68,7 +69,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
 
 std::string unknown(const std::string& word, const std::string& what, const std::vector<std::string>& known) {
   const std::optional<std::string> meant = nearest(word, known);
-  return fmt::format("{}: unknown {}{}", word, what, meant ? fmt::format("; did you mean {}?", *meant) : ";");
+  return fmt::format("{}: unknown {}{}", excerpt(word), what, meant ? fmt::format("; did you mean {}?", *meant) : ";");
 }
 
 /// What nobody expected, by its likeliest cause: an option, or the name of a command.
@@ -80,7 +81,7 @@ std::string unexpected(const CLI::App& app, const CLI::App& command) {
   }
   const std::vector<std::string> commands = command_names(command);
   if (!commands.empty()) return unknown(words.front(), "command", commands);
-  return fmt::format("{}: not expected;", words.front());
+  return fmt::format("{}: not expected;", excerpt(words.front()));
 }
 
 /// In front of all other checks, which transform() is for.
@@ -199,7 +200,8 @@ Option Command::add_named(const std::string& name, const std::vector<std::string
       name, [set, index_of](const std::string& text) { set(index_of(text)); }, description);
   option->type_name(fmt::format("{}", fmt::join(names, "|")))->default_str(names.front());
   return Option(option).check([names, index_of](const std::string& text) {
-    return index_of(text) < names.size() ? "" : fmt::format("{}: {} is allowed", text, fmt::join(names, " or "));
+    return index_of(text) < names.size() ? ""
+                                         : fmt::format("{}: {} is allowed", excerpt(text), fmt::join(names, " or "));
   });
 }
 

@@ -78,7 +78,7 @@ struct CompareCommand {
     Crop part = busiest_crop(a, b, rows, columns);
     if (!at.empty()) {
       const std::vector<std::string> corner = split(at, ',');
-      if (corner.size() != 2) throw UsageError("--at " + at + ": COLUMN,ROW is allowed, as in 300,120");
+      if (corner.size() != 2) throw UsageError("--at " + excerpt(at) + ": COLUMN,ROW is allowed, as in 300,120");
       part.column = parse_number(corner[0], 0, a.columns() - part.columns, "--at: column");
       part.row = parse_number(corner[1], 0, a.rows() - part.rows, "--at: row");
     }

@@ -70,8 +70,8 @@ int parse_number(const std::string& text, int least, int most, const std::string
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || number < least || number > most) {
-    throw UsageError(fmt::format("{} {}: a whole number from {} to {} is allowed", what,
-                                 text.empty() ? "(empty)" : text, least, most));
+    throw UsageError(
+        fmt::format("{} {}: a whole number from {} to {} is allowed", what, value_excerpt(text), least, most));
   }
   return number;
 }
@@ -79,7 +79,7 @@ int parse_number(const std::string& text, int least, int most, const std::string
 std::pair<int, int> parse_size(const std::string& text, const std::string& option) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) {
-    throw UsageError(fmt::format("{} {}: COLUMNSxROWS is allowed, as in 640x480", option, text));
+    throw UsageError(fmt::format("{} {}: COLUMNSxROWS is allowed, as in 640x480", option, value_excerpt(text)));
   }
   return {parse_number(text.substr(0, cross), 1, max_screen_size, option + ": columns"),
           parse_number(text.substr(cross + 1), 1, max_screen_size, option + ": rows")};
@@ -88,8 +88,7 @@ std::pair<int, int> parse_size(const std::string& text, const std::string& optio
 PixelWindow parse_window(const std::string& text, const Screen& screen) {
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 4) {
-    throw UsageError(
-        fmt::format("--window {}: X,Y,COLUMNS,ROWS is allowed, as in 0,0,64,48", text.empty() ? "(empty)" : text));
+    throw UsageError(fmt::format("--window {}: X,Y,COLUMNS,ROWS is allowed, as in 0,0,64,48", value_excerpt(text)));
   }
   const int column = parse_number(parts[0], 0, screen.columns - 1, "--window: x");
   const int row = parse_number(parts[1], 0, screen.rows - 1, "--window: y");

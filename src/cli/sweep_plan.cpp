@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "error.h"
 #include "pyramid/max_level.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -78,7 +79,7 @@ std::vector<int> parse_levels(const std::string& text) {
 std::vector<Leaf> parse_leaves(const std::string& text) {
   std::vector<Leaf> list;
   for (const std::string& leaf : split(text, ',')) {
-    if (leaf != "mean" && leaf != "drop") throw UsageError("--leaf " + leaf + ": mean and drop are allowed");
+    if (leaf != "mean" && leaf != "drop") throw UsageError("--leaf " + value_excerpt(leaf) + ": mean and drop are allowed");
     list.push_back(leaf == "mean" ? Leaf::mean : Leaf::drop);
   }
   return list;

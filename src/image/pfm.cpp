@@ -12,6 +12,7 @@
 #include "error.h"
 #include "image/read_bytes.h"
 #include "image/sample_bytes.h"
+#include "text/printable.h"
 
 namespace pyrasim {
 namespace {
@@ -51,15 +52,7 @@ bool parse(std::string_view word, Number& number) {
   throw InputError(fmt::format("{}: {}", file.string(), message));
 }
 
-/// A word of the file as a message shows it: its beginning, and nothing that is not a printable character.
-std::string shown(std::string_view word) {
-  constexpr std::size_t longest = 20;
-  std::string text(word.substr(0, longest));
-  for (char& c : text) {
-    if (c < ' ' || c > '~') c = '?';
-  }
-  return text.empty() ? "nothing" : text + (word.size() > longest ? "..." : "");
-}
+std::string shown(std::string_view word) { return word.empty() ? "nothing" : excerpt(word); }
 
 int parse_size(std::string_view word, const std::string& what, const std::filesystem::path& file) {
   int size = 0;

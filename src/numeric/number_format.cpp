@@ -9,6 +9,7 @@
 
 #include "error.h"
 #include "numeric/number_types.h"
+#include "text/printable.h"
 
 namespace pyrasim {
 namespace {
@@ -52,8 +53,7 @@ NumberFormat parse_number_format(std::string_view name) {
     if (names.back() == name) return format;
     if (format.kind != NumberKind::processor && systematic_name(format) == name) return format;
   }
-  throw UsageError(
-      fmt::format("number format {}: {} is allowed", name.empty() ? "(empty)" : name, fmt::join(names, " or ")));
+  throw UsageError(fmt::format("number format {}: {} is allowed", value_excerpt(name), fmt::join(names, " or ")));
 }
 
 }  // namespace pyrasim

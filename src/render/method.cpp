@@ -8,6 +8,7 @@
 
 #include "error.h"
 #include "render/picture_memory.h"
+#include "text/printable.h"
 
 namespace pyrasim {
 namespace {
@@ -56,7 +57,7 @@ Method parse_method(std::string_view name) {
     }
   }
   throw UsageError(fmt::format("method {}: allowed are pyramid, point, grid:N and jitter:N with N from 1 to {}",
-                               name.empty() ? "(empty)" : name, max_sampling_grid));
+                               value_excerpt(name), max_sampling_grid));
 }
 
 Rendering render(const Scene& scene, const Method& method, const DatapathFormats& formats, int threads,

@@ -52,6 +52,8 @@ std::string excerpt(std::string_view text, std::size_t longest) {
   return result;
 }
 
+std::string value_excerpt(std::string_view text) { return text.empty() ? "(empty)" : excerpt(text); }
+
 std::string message_line(std::string_view text) {
   if (text.size() <= message_head + message_tail) return one_line(text);
   std::size_t head = message_head;

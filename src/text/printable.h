@@ -19,6 +19,9 @@ std::string one_line(std::string_view text);
 /// one_line() of the beginning of `text`, at most `longest` characters, and an ellipsis where something is left out.
 std::string excerpt(std::string_view text, std::size_t longest = longest_excerpt);
 
+/// A value of the command line as a message shows it: excerpt(), or "(empty)".
+std::string value_excerpt(std::string_view text);
+
 /// one_line() of a whole message, whose middle is left out where it is longer than any message has to be.
 std::string message_line(std::string_view text);
 

@@ -11,6 +11,7 @@
 
 #include "error.h"
 #include "numeric/number_range.h"
+#include "text/printable.h"
 
 namespace pyrasim {
 namespace {
@@ -68,7 +69,7 @@ DatapathFormats parse_datapath_formats(std::string_view text) {
     const std::size_t sign = std::min(part.find('='), part.size());
     const std::string_view stage = part.substr(0, sign);
     if (std::find(named.begin(), named.end(), stage) != named.end()) {
-      throw UsageError(fmt::format("{}: a second format for {}; one is allowed", part, stage));
+      throw UsageError(fmt::format("{}: a second format for {}; one is allowed", excerpt(part), stage));
     }
     named.push_back(stage);
     const std::string_view format = part.substr(std::min(sign + 1, part.size()));
@@ -77,8 +78,8 @@ DatapathFormats parse_datapath_formats(std::string_view text) {
     } else if (stage == intersection_key) {
       formats.intersection = parse_number_format(format);
     } else {
-      throw UsageError(
-          fmt::format("{}: FORMAT, or {}=FORMAT,{}=FORMAT is allowed", part, view_vectors_key, intersection_key));
+      throw UsageError(fmt::format("{}: FORMAT, or {}=FORMAT,{}=FORMAT is allowed", value_excerpt(part),
+                                   view_vectors_key, intersection_key));
     }
   }
   return formats;

@@ -65,6 +65,17 @@ class Commands(tool.EndToEnd):
             self.refused(USAGE, command, KEEL, KEEL, says="keel.json")
             self.refused(USAGE, command, KEEL, "--size", says="--size")
 
+    def test_a_long_value(self):
+        """A message repeats 60 characters of it."""
+        for arguments in ("{}", "{} x", "check {} {}", "study {}", "level --eye {}", "render SCENE --{}",
+                          "render SCENE --threads {}", "render SCENE --leaf {}", "render SCENE --method {}",
+                          "render SCENE --size {}", "render SCENE --size {}x1", "render SCENE --max-level {}",
+                          "render SCENE --window {}", "render SCENE --window {},1,1,1", "render SCENE --scalar {}",
+                          "render SCENE --scalar {}={}", "sweep SCENE --leaf {}", "sweep SCENE --max-level {}",
+                          "sweep SCENE --size {}", "sweep SCENE --reference {}", "study numerics SCENE --formats {}"):
+            words = arguments.replace("{}", 999 * "k").replace("SCENE", str(KEEL)).split()
+            self.refused(USAGE, *words, says="kkk\u2026")
+
     def test_empty_value(self):
         """An option whose value is empty, a shell's unset variable for one, is not an option that is not given."""
         scene = self.write("scene.json", tool.scene())

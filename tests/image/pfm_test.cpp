@@ -78,7 +78,7 @@ TEST_F(PfmTest, bad_files_are_named) {
                                                         {"+-1 1", "+-1 for columns"},
                                                         {"1", "nothing for rows"},
                                                         {"1 2.5", "2.5 for rows"},
-                                                        {"x\x1B 1", "x? for columns"},
+                                                        {"x\x1B 1", "x\\u001b for columns"},
                                                         {"99999999999 1", "99999999999 for columns"}}) {
     EXPECT_EQ(message("PF\n" + size + "\n"), "bad header: " + shown + "; a whole number from 1 is allowed");
   }

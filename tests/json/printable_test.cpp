@@ -54,7 +54,12 @@ TEST(Printable, ExcerptsAreCutBetweenCharacters) {
   EXPECT_EQ(excerpt("\u00e9\u00e9\u00e9", 2), "\u00e9\u00e9\u2026");
   EXPECT_EQ(excerpt("a\nb", 7), "a\\u000a\u2026");  // counted as it is shown
   EXPECT_EQ(excerpt("a\nb", 6), "a\u2026");
-  EXPECT_EQ(excerpt(std::string(3'000'000, 'w')), std::string(60, 'w') + "\u2026");
+  EXPECT_EQ(excerpt(std::string(3'000'000, 'w')), std::string(60, 'w').append("\u2026"));
+}
+
+TEST(Printable, ValuesMayBeEmpty) {
+  EXPECT_EQ(value_excerpt(""), "(empty)");
+  EXPECT_EQ(value_excerpt("64x\n"), "64x\\u000a");
 }
 
 TEST(Printable, MessagesKeepTheirEnds) {
