@@ -19,8 +19,8 @@ FinishedRows::FinishedRows(const std::string& file, const std::string& header, s
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format("{}: cannot read: {}", file, error.what()));
   }
+  if (header.starts_with(content)) return;  // nothing, or an unfinished first line
   content.erase(content.rfind('\n') + 1);
-  if (content.empty()) return;
   if (!content.starts_with(header)) {
     throw InputError(fmt::format("{}:1: it is not a table of this version's sweep; the first line has to be {}", file,
                                  header.substr(0, header.size() - 1)));

@@ -97,7 +97,9 @@ struct SweepCommand {
     const FinishedRows finished =
         resumed.empty() ? FinishedRows() : FinishedRows(resumed, std::string(csv_header), key_fields);
     const std::size_t planned = points.size();
-    std::erase_if(points, [&](const Point& point) { return finished.holds(key(point)); });
+    // Files that can be read once have no SHA-256: nobody knows whether they are the same as before.
+    std::erase_if(points,
+                  [&](const Point& point) { return !point.scene->sha256.empty() && finished.holds(key(point)); });
     if (points.empty()) {
       outputs.table() << last_lines(peer, planned, 0);
       return;
@@ -167,14 +169,15 @@ struct SweepCommand {
   }
 
   /// The fields that say what was run.
+  /// What was run, in one line whatever names there are: so a line of the file is a row.
   std::vector<std::string> key(const Point& point) const {
     const hw::MachineSpec& spec = point.machine->spec;
     return {std::string(version()),
-            point.scene->name,
+            one_line(point.scene->name),
             point.scene->sha256.empty() ? "unknown" : point.scene->sha256,
-            spec.name,
+            one_line(spec.name),
             hw::settings_sha256(spec),
-            point.machine->set,
+            one_line(point.machine->set),
             std::to_string(point.screen.columns),
             std::to_string(point.screen.rows),
             std::to_string(point.max_level),

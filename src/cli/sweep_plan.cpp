@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "cli/command.h"
 #include "error.h"
 #include "pyramid/max_level.h"
@@ -17,10 +20,43 @@ struct Axis {
   std::vector<std::string> values;
 };
 
+/// Where the JSON value at the beginning of `text` is over, at the latest: at the first comma that is in no text, array
+/// or object of it. What does not begin like one of these is a text up to the next comma.
+std::size_t end_of_value(std::string_view text) {
+  if (text.empty() || std::string_view("\"[{").find(text.front()) == std::string_view::npos) {
+    return std::min(text.find(','), text.size());
+  }
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (quoted && c == '\\') {
+      ++k;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted) {
+      if (c == ',' && depth == 0) return k;
+      if (c == '[' || c == '{') ++depth;
+      if (c == ']' || c == '}') --depth;
+    }
+  }
+  return text.size();
+}
+
+std::vector<std::string> split_values(std::string_view text) {
+  std::vector<std::string> values;
+  for (;;) {
+    const std::size_t end = end_of_value(text);
+    values.emplace_back(text.substr(0, end));
+    if (end == text.size()) return values;
+    text.remove_prefix(end + 1);
+  }
+}
+
 Axis parse_axis(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) return {assignment, {}};
-  return {assignment.substr(0, equals), split(assignment.substr(equals + 1), ',')};
+  return {assignment.substr(0, equals), split_values(std::string_view(assignment).substr(equals + 1))};
 }
 
 std::vector<Axis> parse_axes(const std::vector<std::string>& assignments) {
@@ -79,7 +115,8 @@ std::vector<int> parse_levels(const std::string& text) {
 std::vector<Leaf> parse_leaves(const std::string& text) {
   std::vector<Leaf> list;
   for (const std::string& leaf : split(text, ',')) {
-    if (leaf != "mean" && leaf != "drop") throw UsageError("--leaf " + value_excerpt(leaf) + ": mean and drop are allowed");
+    if (leaf != "mean" && leaf != "drop")
+      throw UsageError("--leaf " + value_excerpt(leaf) + ": mean and drop are allowed");
     list.push_back(leaf == "mean" ? Leaf::mean : Leaf::drop);
   }
   return list;

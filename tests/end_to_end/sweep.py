@@ -3,6 +3,7 @@
 
 import csv
 import io
+import json
 import os
 import resource
 import signal
@@ -90,11 +91,50 @@ class Sweep(tool.EndToEnd):
         self.write("scene.json", tool.scene(columns=9))
         self.assertIn("0 of 8 rows were in new.csv", self.ok(*arguments, "--resume", "new.csv"))
         self.assertEqual(len((self.folder / "new.csv").read_text().splitlines()), 1 + 8 + 8)
-        self.write("other.csv", "a,b\n1,2\n")
-        self.refused(tool.INPUT, *arguments, "--resume", "other.csv", says="other.csv:1: it is not a table of this version's")
+        for other in ("a,b\n1,2\n", "a,b", "\0", lines[0][:-1] + ",more"):
+            self.write("other.csv", other)
+            self.refused(tool.INPUT, *arguments, "--resume", "other.csv",
+                         says="other.csv:1: it is not a table of this version's")
+            self.assertEqual((self.folder / "other.csv").read_text(), other)
+        self.write("some.csv", lines[0][:20])
+        self.ok(*arguments, "--resume", "some.csv")
         self.refused(tool.USAGE, *arguments, "--resume", "scene.json", says="--resume")
         self.refused(tool.USAGE, *arguments, "--resume", "a.csv", "--csv", "b.csv", says="either --csv, or --resume")
         self.assertTrue(scene.exists())
+
+    def test_resume_by_names_of_any_kind(self):
+        """One row is one line, by which it is known again."""
+        self.write("a,\nb\".json", tool.scene())
+        arguments = ["sweep", "a,\nb\".json", "--max-level", "0:1", "--reference", "none", "--set", "name=x\n\"y"]
+        self.ok(*arguments, "--resume", "rows.csv")
+        text = (self.folder / "rows.csv").read_text()
+        self.assertEqual(len(text.splitlines()), 3)
+        row, _ = csv.DictReader(io.StringIO(text))
+        self.assertEqual([row[name] for name in ("scene", "machine", "set")],
+                         ["a,\\u000ab\".json", "x\\u000a\"y", "name=x\\u000a\"y"])
+        self.assertIn("2 of 2 rows were in rows.csv", self.ok(*arguments, "--resume", "rows.csv"))
+        self.assertEqual((self.folder / "rows.csv").read_text(), text)
+
+    def test_resume_with_a_scene_that_can_be_read_once(self):
+        """Nobody knows whether it is the one of before."""
+        for columns in (8, 9):
+            document = json.dumps(tool.scene(columns=columns, rows=6))
+            run = subprocess.run([tool.PYRASIM, "sweep", "/dev/stdin", "--size", "8x6", "--max-level", "0",
+                                  "--reference", "none", "--resume", "rows.csv"], input=document, cwd=self.folder,
+                                 capture_output=True, text=True, check=False)
+            self.assertIn("0 of 1 rows were in rows.csv", run.stdout, run.stderr)
+
+    def test_values_of_a_setting_are_json(self):
+        """A comma inside one separates nothing."""
+        arguments = ["sweep", KEEL, "--size", "16x12", "--max-level", "1", "--reference", "none", "--csv", "-"]
+        for setting, values in (('intersection={"units":2,"dispatch":"first_free"}', ['{"units":2,"dispatch":"first_free"}']),
+                                ('intersection={"units":2,"dispatch":"first_free"},{"units":3}',
+                                 ['{"units":2,"dispatch":"first_free"}', '{"units":3}']),
+                                ('name="a,b"', ['"a,b"']), ('name="a\\",b","c"', ['"a\\",b"', '"c"']),
+                                ('name=a"b,c"d', ['a"b', 'c"d'])):
+            rows = csv.DictReader(io.StringIO(self.run_tool(*arguments, "--set", setting).stdout))
+            path = setting.split("=")[0]
+            self.assertEqual([row["set"] for row in rows], [f"{path}={value}" for value in values])
 
     def test_errors_are_those_of_compare(self):
         row, = self.table("--max-level", "2", "--size", "32x24", "--reference", "grid:4")

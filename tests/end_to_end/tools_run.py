@@ -48,11 +48,11 @@ class ToolsRun(tool.EndToEnd):
         self.assertFalse((self.folder / "built").exists())
 
     def test_mistakes(self):
-        for options in (("-o", "x.png"), ("--stats=x.json",)):
+        for options in (("-o", "x.png"), ("--stats=x.json",), ("--size",), ("--max-level", "2", "--window")):
             run = self.start(*options)
             self.assertEqual((run.returncode, run.stdout), (2, ""))
-            self.assertIn("tools/run: ", run.stderr)
-        for options in (("--size",), ("--size", "0x0"), ("--paint",)):
+            self.assertIn(f"tools/run: {options[-1] if options[-1].startswith('-') else options[0]}: ", run.stderr)
+        for options in (("--size", "0x0"), ("--paint",)):
             run = self.start(*options)
             self.assertEqual(run.returncode, 2, run.stderr)
             self.assertIn("--", run.stderr)
