@@ -127,9 +127,9 @@ class Sweep(tool.EndToEnd):
     def test_values_of_a_setting_are_json(self):
         """A comma inside one separates nothing."""
         arguments = ["sweep", KEEL, "--size", "16x12", "--max-level", "1", "--reference", "none", "--csv", "-"]
-        for setting, values in (('intersection={"units":2,"dispatch":"first_free"}', ['{"units":2,"dispatch":"first_free"}']),
-                                ('intersection={"units":2,"dispatch":"first_free"},{"units":3}',
-                                 ['{"units":2,"dispatch":"first_free"}', '{"units":3}']),
+        for setting, values in (('intersection={"units":2,"latency":9}', ['{"units":2,"latency":9}']),
+                                ('intersection={"units":2,"latency":9},{"units":3}',
+                                 ['{"units":2,"latency":9}', '{"units":3}']),
                                 ('name="a,b"', ['"a,b"']), ('name="a\\",b","c"', ['"a\\",b"', '"c"']),
                                 ('name=a"b,c"d', ['a"b', 'c"d'])):
             rows = csv.DictReader(io.StringIO(self.run_tool(*arguments, "--set", setting).stdout))
