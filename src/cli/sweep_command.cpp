@@ -113,6 +113,7 @@ struct SweepCommand {
   void make_all(const std::vector<Point>& points, const MachineAxes& axes, const std::optional<Method>& peer,
                 RowOutput& output) const {
     std::vector<std::string> names;
+    names.reserve(points.size());
     for (const Point& point : points) names.push_back(name_of(point, axes));
     std::optional<Shared> shared;
     make_rows(names, [&](std::size_t k) {
