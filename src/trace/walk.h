@@ -143,10 +143,12 @@ class Walk {
   DepthLimit<Scalar> depth_limit_ = std::numeric_limits<DepthLimit<Scalar>>::infinity();  ///< boxes beyond are behind
 };
 
-/// What the ray sees among the planes, and the bounded surfaces below `root` (as Node::child).
+/// What the ray sees among the planes, and the bounded surfaces below `root` (as Node::child). `work` becomes `before`
+/// and the tests made.
 template <class Scalar>
 Sample nearest_of_close_hits(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector, std::int32_t root,
-                             Work& work) {
+                             const Work& before, Work& work) {
+  work = before;
   CloseStanding<Scalar> standing(scene, view_vector);
   Walk<Scalar, CloseStanding<Scalar>> walk(scene, view_vector, work, standing);
   do {
@@ -156,26 +158,26 @@ Sample nearest_of_close_hits(const PreparedScene<Scalar>& scene, const Vector<Sc
   return shade(scene, view_vector, standing.leader());
 }
 
-extern template Sample nearest_of_close_hits(const PreparedScene<double>&, const Vector<double>&, std::int32_t, Work&);
-extern template Sample nearest_of_close_hits(const PreparedScene<float>&, const Vector<float>&, std::int32_t, Work&);
+extern template Sample nearest_of_close_hits(const PreparedScene<double>&, const Vector<double>&, std::int32_t,
+                                             const Work&, Work&);
+extern template Sample nearest_of_close_hits(const PreparedScene<float>&, const Vector<float>&, std::int32_t,
+                                             const Work&, Work&);
 
-/// The same. Nearly all rays of nearly all scenes meet surfaces that lie clearly apart; whoever does not starts again.
-/// That pays where t's error is small and the processor's own numbers are fast.
+/// The same; adds the tests made to `work`. Nearly all rays of nearly all scenes meet surfaces that lie clearly apart;
+/// whoever does not starts again. That pays where t's error is small and the processor's own numbers are fast.
 template <class Scalar>
 [[gnu::always_inline]] inline Sample nearest_hit(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector,
                                                  std::int32_t root, Work& work) {
+  const Work before = work;
   if constexpr (std::is_floating_point_v<Scalar>) {
-    Work its_own;
     ClearStanding<Scalar> standing;
-    Walk<Scalar, ClearStanding<Scalar>> walk(scene, view_vector, its_own, standing);
+    Walk<Scalar, ClearStanding<Scalar>> walk(scene, view_vector, work, standing);
     walk.test_planes();
     walk.traverse(root);
-    if (!standing.undecided()) [[likely]] {
-      work += its_own;
+    if (!standing.undecided()) [[likely]]
       return shade(scene, view_vector, standing.leader());
-    }
   }
-  return nearest_of_close_hits(scene, view_vector, root, work);
+  return nearest_of_close_hits(scene, view_vector, root, before, work);
 }
 
 }  // namespace pyrasim

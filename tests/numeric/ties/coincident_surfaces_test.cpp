@@ -133,9 +133,13 @@ class Stack {
     scene_ = empty_scene(1, 1, 1);
     const double unit = format.kind == NumberKind::fixed ? std::ldexp(16, -format.fraction_bits)
                                                          : std::ldexp(32, -format.significand_bits);
-    const double spacing = unit * std::exp2(random.uniform(-1, 3));
-    for (int k = 0; k < 10; ++k) {
-      const double depth = 5 * (1 + spacing * random.uniform(-2, 2));
+    // Far from the world's origin double rounds more than the format does.
+    const double place = random.below(3) == 0 ? 4096 : 0;
+    const double spacing = (unit + 0x1p-53 * place) * std::exp2(random.uniform(-1, 3));
+    scene_.camera.position.x = -place;
+    scene_.camera.look_at.x = 1 - place;
+    for (int k = 0; k < 24; ++k) {
+      const double depth = 5 * (1 + spacing * random.uniform(-2, 2)) - place;
       const auto kind = random.below(4);
       if (kind == 0) {
         scene_.objects.push_back(object(Plane{{1, 0, 0}, depth}));
