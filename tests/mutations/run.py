@@ -112,16 +112,22 @@ class Workshop:
         return self.run("ctest", "--test-dir", self.build_folder, "-R", entry.split()[1], "--no-tests=error",
                         "--stop-on-failure", f"-j{self.jobs}", "--timeout", SECONDS_A_TEST) == 0
 
+    def failed_test(self):
+        """The first of those that ctest named as failed."""
+        failed = re.search(r"^\s*\d+ - (.+)$", self.words, re.MULTILINE)
+        return failed.group(1) if failed else ""
+
     def judge(self, mutation):
-        """What becomes of one mistake; afterwards the file is as it was."""
+        """What becomes of one mistake, and the last test that noticed it; afterwards the file is as it was."""
         file = self.tree / mutation["file"]
         original = file.read_text()
         file.write_text(mutated(mutation, self.tree))
         try:
             if not self.build(targets_of([mutation])):
-                return "DOES NOT BUILD"
-            passed = [entry for entry in mutation["tests"] if self.passes(entry)]
-            return "SURVIVED" if passed else "caught"
+                return "DOES NOT BUILD", ""
+            if any(self.passes(entry) for entry in mutation["tests"]):
+                return "SURVIVED", ""
+            return "caught", self.failed_test()
         finally:
             file.write_text(original)
 
@@ -147,11 +153,12 @@ def judge_all(mutations, workshop):
     counts = {}
     for mutation in mutations:
         begun = time.monotonic()
-        word, well = outcome(mutation, workshop.judge(mutation))
+        verdict, noticed_by = workshop.judge(mutation)
+        word, well = outcome(mutation, verdict)
         all_well = all_well and well
         counts[word] = counts.get(word, 0) + 1
-        reason = f": {mutation['survives']}" if word == "survives" else ""
-        print(f"{word:9}  {mutation['name']}  ({time.monotonic() - begun:.0f} s){reason}", flush=True)
+        remark = mutation["survives"] if word == "survives" else noticed_by
+        print(f"{word:9} {time.monotonic() - begun:4.0f} s  {mutation['name']}: {remark}", flush=True)
     print(", ".join(f"{count} {word}" for word, count in counts.items()))
     return all_well
 
