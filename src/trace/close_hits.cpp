@@ -6,7 +6,5 @@ namespace pyrasim {
 
 template Sample nearest_of_close_hits(const PreparedScene<double>&, const Vector<double>&, std::int32_t, const Work&,
                                       Work&);
-template Sample nearest_of_close_hits(const PreparedScene<float>&, const Vector<float>&, std::int32_t, const Work&,
-                                      Work&);
 
 }  // namespace pyrasim

@@ -87,7 +87,8 @@ class CloseStanding {
     const double end = contest_.highest();
     const DistanceRange range =
         distance_range(in_double(surface), in_double(direction_), static_cast<double>(hit.t), scene_.rounding);
-    const bool leads = contest_.enter(range, surface.identity.order);
+    const auto [object, order] = surface.identity;
+    const bool leads = contest_.enter(range, {object, static_cast<double>(hit.t), order});
     if (leads) leader_ = hit;
     return leads || contest_.highest() < end;
   }

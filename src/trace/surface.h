@@ -30,7 +30,7 @@ struct Work {
   friend bool operator==(const Work&, const Work&) = default;
 };
 
-/// `order` counts surfaces in the order of the scene file; it settles equal distances (decision D7).
+/// Both count in the order of the scene file, objects and surfaces; they settle equal distances (decision D7).
 struct SurfaceIdentity {
   std::uint32_t object;
   std::uint32_t order;

@@ -160,16 +160,15 @@ Sample nearest_of_close_hits(const PreparedScene<Scalar>& scene, const Vector<Sc
 
 extern template Sample nearest_of_close_hits(const PreparedScene<double>&, const Vector<double>&, std::int32_t,
                                              const Work&, Work&);
-extern template Sample nearest_of_close_hits(const PreparedScene<float>&, const Vector<float>&, std::int32_t,
-                                             const Work&, Work&);
 
 /// The same; adds the tests made to `work`. Nearly all rays of nearly all scenes meet surfaces that lie clearly apart;
-/// whoever does not starts again. That pays where t's error is small and the processor's own numbers are fast.
+/// whoever does not starts again. That pays in double, where errors are so small that hardly a box lies between what is
+/// coarsely known of them and what is known of a hit.
 template <class Scalar>
 [[gnu::always_inline]] inline Sample nearest_hit(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector,
                                                  std::int32_t root, Work& work) {
   const Work before = work;
-  if constexpr (std::is_floating_point_v<Scalar>) {
+  if constexpr (std::is_same_v<Scalar, double>) {
     ClearStanding<Scalar> standing;
     Walk<Scalar, ClearStanding<Scalar>> walk(scene, view_vector, work, standing);
     walk.test_planes();

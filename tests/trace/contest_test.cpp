@@ -34,7 +34,7 @@ std::uint32_t winner(const std::vector<Entry>& entries, int& walks) {
   for (;;) {
     ++walks;
     for (const Entry& entry : entries) {
-      if (contest.enter(entry.range, entry.order)) leader = entry.order;
+      if (contest.enter(entry.range, {entry.order, 0, 0})) leader = entry.order;
     }
     if (!contest.in_doubt()) return leader;
     contest.repeat();
@@ -95,17 +95,22 @@ TEST(Contest, TheOrderInWhichHitsComeDoesNotMatter) {
   EXPECT_LT(walks, contests * 5 / 4);
 }
 
-/// What the walk drops without entering it.
-TEST(Contest, LowestAndHighestTellWhatNeedNotEnter) {
+TEST(Contest, OfOneObjectTheNearerHitWins) {
   Contest contest;
-  EXPECT_TRUE(contest.enter({4, 6}, 3));
-  EXPECT_EQ(contest.lowest(), 4);
+  EXPECT_TRUE(contest.enter({1, 3}, {4, 2, 10}));
+  EXPECT_FALSE(contest.enter({2, 4}, {4, 3, 9}));
+  EXPECT_TRUE(contest.enter({0, 2}, {4, 1, 12}));
+  EXPECT_FALSE(contest.enter({0, 2}, {5, 0.5, 13}));
+  EXPECT_TRUE(contest.enter({2, 4}, {3, 3, 8}));
+}
+
+TEST(Contest, WhatBeginsBeyondTheNearestEndIsBehind) {
+  Contest contest;
+  EXPECT_TRUE(contest.enter({4, 6}, {3, 0, 0}));
   EXPECT_EQ(contest.highest(), 6);
-  EXPECT_FALSE(contest.enter({3, 5}, 5));
-  EXPECT_EQ(contest.lowest(), 3);
+  EXPECT_FALSE(contest.enter({3, 5}, {5, 0, 0}));
   EXPECT_EQ(contest.highest(), 5);
-  EXPECT_FALSE(contest.enter({5.5, 9}, 1));
-  EXPECT_EQ(contest.lowest(), 3);
+  EXPECT_FALSE(contest.enter({5.5, 9}, {1, 0, 0}));
 }
 
 }  // namespace
