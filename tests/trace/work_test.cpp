@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "../test_scenes.h"
+#include "trace/distance_range.h"
 #include "trace/plane.h"
 #include "trace/relative_error.h"
+#include "trace/rounded_scene.h"
 #include "trace/scene_tracer.h"
 #include "trace/sphere.h"
 #include "trace/triangle.h"
@@ -29,13 +32,13 @@ class PlainWalk {
       const Scalar t = intersect_plane(plane, direction);
       const double length = static_cast<double>(t) / std::sqrt(static_cast<double>(inverse_length_squared_));
       const bool holds = length * length <= plane.squared_length;
-      meet(t, holds ? plane.relative_error : std::numeric_limits<double>::infinity());
+      meet(t, holds ? plane.relative_error : std::numeric_limits<double>::infinity(), plane);
     }
     visit(scene.root);
   }
 
   const Work& work() const { return work_; }
-  /// Whether two hits lay too close together to be told apart by their errors' bounds.
+  /// Whether two hits lay too close together to be told apart by what their distances may err by.
   bool close() const { return close_; }
 
  private:
@@ -63,25 +66,31 @@ class PlainWalk {
   void test(const typename PreparedScene<Scalar>::Leaf& leaf) {
     for (std::uint32_t k = 0; k < leaf.spheres; ++k) {
       ++work_.surface_tests[0];
-      meet(intersect_sphere(scene_.spheres.at(leaf.first_sphere + k), direction_, inverse_length_squared_),
-           leaf.relative_error);
+      const auto& sphere = scene_.spheres.at(leaf.first_sphere + k);
+      meet(intersect_sphere(sphere, direction_, inverse_length_squared_), leaf.relative_error, sphere);
     }
     for (std::uint32_t k = 0; k < leaf.triangles; ++k) {
       ++work_.surface_tests[2];
-      meet(intersect_triangle(scene_.triangles.at(leaf.first_triangle + k), TriangleShear<Scalar>(direction_)),
-           leaf.relative_error);
+      const auto& triangle = scene_.triangles.at(leaf.first_triangle + k);
+      meet(intersect_triangle(triangle, TriangleShear<Scalar>(direction_)), leaf.relative_error, triangle);
     }
   }
 
-  void meet(Scalar t, double relative_error) {
+  template <class Surface>
+  void meet(Scalar t, double relative_error, const Surface& surface) {
     if (!(t > Scalar(0))) return;
-    const double error = static_cast<double>(t) * relative_error;
-    const double begin = static_cast<double>(t) - error;
-    const double end = static_cast<double>(t) + error;
-    if (begin > nearest_end_) return;
-    close_ = close_ || !(end < nearest_begin_);
-    nearest_begin_ = begin;
-    nearest_end_ = end;
+    const DistanceRange range = range_of(static_cast<double>(t), relative_error, surface);
+    if (range.lowest > nearest_end_) return;
+    close_ = close_ || !(range.highest < nearest_begin_);
+    nearest_begin_ = range.lowest;
+    nearest_end_ = std::min(nearest_end_, range.highest);
+  }
+
+  /// Where the exact hit may lie: in double what is known of the surface is enough, else the hit itself is looked at.
+  template <class Surface>
+  DistanceRange range_of(double t, double relative_error, const Surface& surface) const {
+    if constexpr (std::is_same_v<Scalar, double>) return {t - t * relative_error, t + t * relative_error};
+    return distance_range(in_double(surface), in_double(direction_), t, scene_.rounding);
   }
 
   const PreparedScene<Scalar>& scene_;
