@@ -7,4 +7,8 @@ namespace pyrasim {
 
 Scene shipped_scene(const std::string& name) { return load_scene(PYRASIM_SOURCE_DIR "/scenes/" + name + ".json"); }
 
+std::filesystem::path shipped_machine(const std::string& name) {
+  return PYRASIM_SOURCE_DIR "/machines/" + name + ".json";
+}
+
 }  // namespace pyrasim

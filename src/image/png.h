@@ -30,9 +30,9 @@ unsigned png_sample(float sample, const PngFormat& format);
 /// Throws UsageError for a bad format, RunError where the PNG library refuses the picture.
 std::string encode_png(const Image& image, const PngFormat& format = {}, const TextChunks& text = {});
 
-/// Reads any PNG file as linear RGB: grey and palettes are expanded, pixels that are not opaque are composed over black,
-/// in linear light, and counted. Samples are taken as sRGB unless the file has a gAMA chunk and no sRGB or iCCP chunk.
-/// Throws InputError "FILE: what is wrong".
+/// Reads any PNG file as linear RGB: grey and palettes are expanded, pixels that are not opaque are composed over
+/// black, in linear light, and counted. Samples are taken as sRGB unless the file has a gAMA chunk and no sRGB or iCCP
+/// chunk. Throws InputError "FILE: what is wrong".
 Image read_png(const std::filesystem::path& file, std::uint64_t* transparent_pixels = nullptr);
 
 }  // namespace pyrasim

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "image/image.h"
 #include "files/output_file.h"
+#include "image/image.h"
 #include "image/png.h"
 
 namespace pyrasim {

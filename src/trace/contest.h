@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <compare>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 
 #include "trace/distance_range.h"
 
@@ -16,7 +16,9 @@ struct Rank {
   std::uint32_t object = std::numeric_limits<std::uint32_t>::max();
   double t = 0;
   std::uint32_t order = 0;  ///< as in SurfaceIdentity
-  friend auto operator<=>(const Rank&, const Rank&) = default;
+  friend bool operator<(const Rank& a, const Rank& b) {
+    return std::tie(a.object, a.t, a.order) < std::tie(b.object, b.t, b.order);
+  }
 };
 
 /// Decision D7 among a ray's hits, which come one by one: the first in rank of those that are not certainly behind

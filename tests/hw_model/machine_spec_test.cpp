@@ -5,6 +5,7 @@
 
 #include "../error_of.h"
 #include "../scene/temp_folder.h"
+#include "../shipped_scene.h"
 #include "../test_scenes.h"
 #include "error.h"
 #include "hw_model/processor.h"
@@ -37,6 +38,8 @@ TEST_F(LoadMachine, DefaultsWithoutAFile) {
             defaults.fifos.subdivision_controller_to_pyramid_classifier);
   EXPECT_EQ(spec.budget(), 6'666'666U);  // 200 MHz at 30 frames a second
 }
+
+TEST_F(LoadMachine, TheDefaultIsTheShippedFiles) { EXPECT_EQ(load_machine(shipped_machine("default")), MachineSpec{}); }
 
 TEST_F(LoadMachine, EveryKeyOfAFile) {
   const MachineSpec spec = load_machine(write("big.json", R"({
