@@ -90,6 +90,15 @@ TEST(Fifo, StatisticsByHand) {
   EXPECT_EQ(fifo.statistics().tokens, 4U);
 }
 
+/// At 3 there are three tokens: that of 0, which is read at 5, and those of 1 and 3, which nobody reads.
+TEST(Fifo, TokensThatNobodyReadsCountBesideThoseThatWereRead) {
+  Fifo<int> fifo("fifo", 8);
+  for (const Cycle at : {0, 1, 3}) fifo.write(0, at, 1);
+  fifo.read(5);
+  EXPECT_EQ(fifo.statistics(10).max, 3U);
+  EXPECT_EQ(fifo.statistics(10).token_cycles, 6U + 9 + 7);
+}
+
 /// Whichever of writer and reader runs ahead, the statistics are those of the dates.
 TEST(Fifo, StatisticsDoNotDependOnTheOrderOfCalls) {
   struct Dates {

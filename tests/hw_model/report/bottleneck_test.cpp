@@ -93,6 +93,24 @@ TEST(BottleneckChain, EndsAtTheStageThatIsSlow) {
   }
 }
 
+/// The accumulator is busy for longer than it waits, but the unit is busier: without it the frame would be shorter.
+TEST(BottleneckChain, GoesOnFromABoxThatIsNotTheBusiest) {
+  MachineSpec spec;
+  spec.intersection_units = 1;
+  spec.intersection_cost = {10, 0, {0, 0, 0}};
+  spec.tree_accumulator.interval = 8;
+  Simulation simulation;
+  const Processor& machine = simulation.add(empty_scene(40, 30, 0.1), spec, at_level(0));
+  simulation.run();
+  const std::vector<BottleneckLink> chain = bottleneck_chain(machine);
+  SCOPED_TRACE(bottleneck_text(chain));
+  ASSERT_EQ(chain.size(), 3U);
+  EXPECT_GT(chain[0].busy, chain[0].waited);
+  EXPECT_EQ(chain[1].unit, "pyramid_classifier");
+  EXPECT_EQ(chain[2].unit, "intersection_units");
+  EXPECT_GT(chain[2].busy, chain[0].busy);
+}
+
 /// Nobody is busy: each waits for the next all the way round, and the latency of the loop is the cause.
 TEST(BottleneckChain, ClosesWithOneSlotInFlight) {
   MachineSpec spec;
