@@ -6,13 +6,17 @@
 
 namespace pyrasim::hw {
 
-DecoupledEngine::DecoupledEngine(std::vector<Stage*> stages, Boxes boxes, const MachineSpec& spec)
+DecoupledEngine::DecoupledEngine(std::vector<Stage*> stages, const std::vector<Wire>& wires, Boxes boxes,
+                                 const MachineSpec& spec)
     : stages_(std::move(stages)),
       boxes_(std::move(boxes)),
       generator_latency_(spec.view_vector_generator.latency),
       unit_latency_(spec.intersection_cost.ray - 1 + spec.intersection_latency),
       request_latency_(spec.subdivision_controller.latency) {
   for (Stage* stage : stages_) stage->attach(work_);
+  for (const Wire& wire : wires) {  // nothing but their own time waits for these readers
+    if (wire.reader == &boxes_.accumulator || wire.reader == &boxes_.frame_buffer) wire.fifo->wake_reader_when_full();
+  }
 }
 
 void DecoupledEngine::run(const RunControl& control) {
@@ -22,9 +26,9 @@ void DecoupledEngine::run(const RunControl& control) {
   for (unsigned round = 1;; ++round) {
     if (round % rounds_to_poll == 0) control.poll();
     settle();
-    const Start generator = boxes_.generator.next_start();
+    const auto generator = boxes_.generator.plan();
     const Cycle controller = controller_date();
-    const Cycle first = std::min(generator.at(), controller);
+    const Cycle first = std::min(generator.start.at(), controller);
     if (first == never || first > control.last) {
       // Stages that wait until their FIFO is full have to be asked once more.
       if (at_rest) return;
@@ -33,11 +37,10 @@ void DecoupledEngine::run(const RunControl& control) {
       continue;
     }
     at_rest = false;
-    if (controller <= generator.at()) {
-      boxes_.controller->fire_at(controller_);
-      boxes_.controller->wake();
+    if (controller <= generator.start.at()) {
+      run_controller(controller);
     } else if (boxes_.generator.chooses_unit()) {
-      boxes_.generator.fire_at(generator);
+      boxes_.generator.fire_planned(generator);
     } else {
       run_generator(first);
     }
@@ -59,9 +62,9 @@ void DecoupledEngine::settle() {
 Cycle DecoupledEngine::controller_date() {
   if (boxes_.controller != nullptr && boxes_.controller->awake()) {
     boxes_.controller->sleep();
-    controller_ = boxes_.controller->next_start();
+    controller_date_ = boxes_.controller->next_start().at();
   }
-  return controller_.at();
+  return controller_date_;
 }
 
 /// The earliest firing of the controller that a ray issued at `first` or a later one can make possible: samples are
@@ -69,6 +72,14 @@ Cycle DecoupledEngine::controller_date() {
 Cycle DecoupledEngine::echo(Cycle first) const {
   const Cycle ready = boxes_.units[boxes_.generator.next_unit()]->ready();
   return std::max(first + generator_latency_, ready) + unit_latency_ + 1;
+}
+
+/// What comes of a firing at `first` can be read two cycles later at the earliest: every hop takes one, and the way
+/// back to the controller is two. Sooner, a cycle later, there can only be room for a request; and by then a node that
+/// is there is accepted first.
+void DecoupledEngine::run_controller(Cycle first) {
+  boxes_.controller->fire_before(first + 2);
+  boxes_.controller->wake();
 }
 
 void DecoupledEngine::run_generator(Cycle first) {

@@ -3,13 +3,16 @@
 
 #include <vector>
 
+#include "hw_model/frame_buffer.h"
 #include "hw_model/intersection_unit.h"
 #include "hw_model/pixel_scan.h"
 #include "hw_model/run_control.h"
-#include "hw_model/stage.h"
+#include "hw_model/stage/stage.h"
+#include "hw_model/stage/work_list.h"
 #include "hw_model/subdivision_controller.h"
 #include "hw_model/tree_accumulator.h"
 #include "hw_model/view_vector_generator.h"
+#include "hw_model/wire.h"
 
 namespace pyrasim::hw {
 
@@ -31,15 +34,17 @@ class DecoupledEngine {
     std::vector<IntersectionUnit*> units;
     SubdivisionController* controller;
     TreeAccumulator& accumulator;
+    FrameBuffer& frame_buffer;
   };
 
-  DecoupledEngine(std::vector<Stage*> stages, Boxes boxes, const MachineSpec& spec);
+  DecoupledEngine(std::vector<Stage*> stages, const std::vector<Wire>& wires, Boxes boxes, const MachineSpec& spec);
 
   /// Runs until no stage can fire, or the two that choose could only fire after control.last.
   void run(const RunControl& control);
 
  private:
   void settle();
+  void run_controller(Cycle first);
   void run_generator(Cycle first);
   Cycle echo(Cycle first) const;
   Cycle controller_date();
@@ -49,7 +54,7 @@ class DecoupledEngine {
   Cycle generator_latency_;
   Cycle unit_latency_;  ///< the least from a ray's start in a unit to its sample
   Cycle request_latency_;
-  Start controller_{never};  ///< its next firing, as long as it sleeps
+  Cycle controller_date_ = never;  ///< of the controller's next firing, as long as it sleeps
   WorkList work_;
 };
 

@@ -12,10 +12,10 @@ FrameBuffer::FrameBuffer(const sc_core::sc_module_name& name, Cycle interval, in
       progress_(std::move(progress)),
       next_progress_(progress_ ? static_cast<std::size_t>(columns) : 0) {}
 
-Cycle FrameBuffer::fire(Ends& ends, Cycle now) {
+Cycle FrameBuffer::fire(Ends& ends, const Plan& plan) {
   const PixelMessage& message = ends.tree_accumulator.front();
   image_.pixels()[message.pixel] = message.color;
-  ends.tree_accumulator.pop(now);
+  ends.tree_accumulator.pop(plan.start.at());
   if (++stored_ == next_progress_) {  // a row's worth
     next_progress_ += static_cast<std::size_t>(image_.columns());
     report();

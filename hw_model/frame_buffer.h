@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "hw_model/fifo/fifo_port.h"
+#include "hw_model/fifo/fifo_reader.h"
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
-#include "hw_model/stage.h"
+#include "hw_model/stage/stage_of.h"
 #include "image/image.h"
 #include "render/parallel.h"
 
@@ -25,12 +27,15 @@ class FrameBuffer final : public StageOf<FrameBuffer> {
 
  private:
   friend StageOf;
+  struct Plan {
+    Start start;
+  };
   struct Ends {
     FifoReader<PixelMessage> tree_accumulator;
   };
-  Ends ends() { return {FifoReader(*tree_accumulator)}; }
-  static Start next(Ends& ends, Cycle ready) { return Start(ready).needs_token(ends.tree_accumulator); }
-  Cycle fire(Ends& ends, Cycle now);
+  Ends ends() const { return {FifoReader(*tree_accumulator)}; }
+  static Plan next(const Ends& ends, Cycle ready) { return {Start(ready).needs_token(ends.tree_accumulator)}; }
+  Cycle fire(Ends& ends, const Plan& plan);
 
   Cycle interval_;
   Image image_;

@@ -7,7 +7,8 @@ IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, Cycle la
                                    const Tracer& tracer, bool count_events)
     : StageOf(name), latency_(latency), cost_(cost), tracer_(tracer), count_events_(count_events) {}
 
-Cycle IntersectionUnit::fire(Ends& ends, Cycle now) {
+Cycle IntersectionUnit::fire(Ends& ends, const Plan& plan) {
+  const Cycle now = plan.start.at();
   const RayMessage& ray = ends.view_vector_generator.front();
   const Sample sample = nearest_hit(ray, work_);
   const Cycle tests = cost_of_tests();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "hw_model/fifo/fifo_port.h"
+#include "hw_model/fifo/fifo_reader.h"
+#include "hw_model/fifo/fifo_writer.h"
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
-#include "hw_model/stage.h"
+#include "hw_model/stage/stage_of.h"
 #include "trace/corners_ahead.h"
 #include "trace/datapath_formats.h"
 #include "trace/tracer.h"
@@ -28,15 +31,18 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
 
  private:
   friend StageOf;
+  struct Plan {
+    Start start;
+  };
   struct Ends {
     FifoReader<RayMessage> view_vector_generator;
     FifoWriter<SampleMessage> pyramid_classifier;
   };
-  Ends ends() { return {FifoReader(*view_vector_generator), FifoWriter(*pyramid_classifier)}; }
-  static Start next(Ends& ends, Cycle ready) {
-    return Start(ready).needs_token(ends.view_vector_generator).needs_room(ends.pyramid_classifier);
+  Ends ends() const { return {FifoReader(*view_vector_generator), FifoWriter(*pyramid_classifier)}; }
+  static Plan next(const Ends& ends, Cycle ready) {
+    return {Start(ready).needs_token(ends.view_vector_generator).needs_room(ends.pyramid_classifier)};
   }
-  Cycle fire(Ends& ends, Cycle now);
+  Cycle fire(Ends& ends, const Plan& plan);
 
   Sample nearest_hit(const RayMessage& ray, Work& work);
   /// In cycles, of all tests so far.

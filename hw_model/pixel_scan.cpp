@@ -11,14 +11,15 @@ PixelScan::PixelScan(const sc_core::sc_module_name& name, StageTiming timing, co
       columns_(static_cast<std::uint32_t>(window.columns)),
       max_level_(max_level) {}
 
-Start PixelScan::next(Ends& ends, Cycle ready) const {
-  if (row_ > rows_) return Start(never);
+PixelScan::Plan PixelScan::next(const Ends& ends, Cycle ready) const {
+  if (row_ > rows_) return {Start(never)};
   Start start(ready);
   if (completes_pixel()) start.needs_token(ends.tree_accumulator);
-  return start.needs_room(ends.view_vector_generator);
+  return {start.needs_room(ends.view_vector_generator)};
 }
 
-Cycle PixelScan::fire(Ends& ends, Cycle now) {
+Cycle PixelScan::fire(Ends& ends, const Plan& plan) {
+  const Cycle now = plan.start.at();
   ends.view_vector_generator.write_made(
       [&] {
         const GridPoint point = pixel_corner(window_, row_, column_, max_level_);

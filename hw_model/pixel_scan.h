@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "hw_model/fifo/fifo_port.h"
+#include "hw_model/fifo/fifo_reader.h"
+#include "hw_model/fifo/fifo_writer.h"
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
-#include "hw_model/stage.h"
+#include "hw_model/stage/stage_of.h"
 #include "scene/scene.h"
 
 namespace pyrasim::hw {
@@ -20,13 +23,16 @@ class PixelScan final : public StageOf<PixelScan> {
 
  private:
   friend StageOf;
+  struct Plan {
+    Start start;
+  };
   struct Ends {
     FifoReader<SlotCredit> tree_accumulator;
     FifoWriter<CornerRequest> view_vector_generator;
   };
-  Ends ends() { return {FifoReader(*tree_accumulator), FifoWriter(*view_vector_generator)}; }
-  Start next(Ends& ends, Cycle ready) const;
-  Cycle fire(Ends& ends, Cycle now);
+  Ends ends() const { return {FifoReader(*tree_accumulator), FifoWriter(*view_vector_generator)}; }
+  Plan next(const Ends& ends, Cycle ready) const;
+  Cycle fire(Ends& ends, const Plan& plan);
   bool completes_pixel() const { return row_ > 0 && column_ > 0; }
 
   StageTiming timing_;

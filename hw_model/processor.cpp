@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "hw_model/stage/kernel_time.h"
 #include "render/picture_memory.h"
 
 namespace pyrasim::hw {
@@ -48,15 +49,16 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
     controller_ = std::make_unique<SubdivisionController>("subdivision_controller", spec.subdivision_controller,
                                                           spec.subdivision_pool, options.max_level);
   }
-  bind(options.engine);
+  bind();
   list_omitted();
   if (options.engine == Engine::lockstep) {
     for (Stage* stage : stages_) stage->run_in_lockstep(control_);
     return;
   }
-  DecoupledEngine::Boxes boxes{pixel_scan_, view_vector_generator_, {}, controller_.get(), tree_accumulator_};
+  DecoupledEngine::Boxes boxes{pixel_scan_,       view_vector_generator_, {},
+                               controller_.get(), tree_accumulator_,      frame_buffer_};
   for (const auto& unit : intersection_units_) boxes.units.push_back(unit.get());
-  engine_ = std::make_unique<DecoupledEngine>(stages_, std::move(boxes), spec);
+  engine_ = std::make_unique<DecoupledEngine>(stages_, wires_, std::move(boxes), spec);
   sc_core::sc_spawn(
       [this, threads = options.threads] {
         run_decoupled(threads);
@@ -86,8 +88,8 @@ Progress Processor::stopping(const Progress& progress) {
 }
 
 template <class Message, class Writer, class Reader, class Out, class In>
-Fifo<Message>& Processor::connect(const char* name, std::size_t depth, Writer& writer, Out& out, Reader& reader,
-                                  In& in) {
+Fifo<Message>& Processor::connect(const char* name, std::size_t depth, Writer& writer, Out&& out, Reader& reader,
+                                  In&& in) {
   auto fifo = std::make_unique<Fifo<Message>>(name, depth);
   out(*fifo);
   in(*fifo);
@@ -100,7 +102,7 @@ Fifo<Message>& Processor::connect(const char* name, std::size_t depth, Writer& w
 }
 
 /// All of the machine's wires, in data-flow order.
-void Processor::bind(Engine engine) {
+void Processor::bind() {
   const FifoDepths& depths = spec_.fifos;
   connect<CornerRequest>("pixel_scan_to_view_vector_generator", depths.pixel_scan_to_view_vector_generator, pixel_scan_,
                          pixel_scan_.view_vector_generator, view_vector_generator_, view_vector_generator_.pixel_scan);
@@ -109,10 +111,10 @@ void Processor::bind(Engine engine) {
     IntersectionUnit& unit = *intersection_units_[k];
     connect<RayMessage>(fmt::format("view_vector_generator_to_intersection_unit_{}", k).c_str(),
                         depths.view_vector_generator_to_intersection_unit, view_vector_generator_,
-                        view_vector_generator_.intersection_units[k], unit, unit.view_vector_generator);
+                        view_vector_generator_.intersection_units.port(k), unit, unit.view_vector_generator);
     connect<SampleMessage>(fmt::format("intersection_unit_{}_to_pyramid_classifier", k).c_str(),
                            depths.intersection_unit_to_pyramid_classifier, unit, unit.pyramid_classifier,
-                           pyramid_classifier_, pyramid_classifier_.intersection_units[k]);
+                           pyramid_classifier_, pyramid_classifier_.intersection_units.port(k));
     stages_.push_back(&unit);
   }
   if (view_vector_generator_.chooses_unit()) {
@@ -121,20 +123,16 @@ void Processor::bind(Engine engine) {
   }
   stages_.push_back(&pyramid_classifier_);
   if (controller_) bind_controller();
-  auto& nodes = connect<TerminalMessage>(
-      "pyramid_classifier_to_tree_accumulator", depths.pyramid_classifier_to_tree_accumulator, pyramid_classifier_,
-      pyramid_classifier_.tree_accumulator, tree_accumulator_, tree_accumulator_.pyramid_classifier);
-  auto& pixels = connect<PixelMessage>("tree_accumulator_to_frame_buffer", depths.tree_accumulator_to_frame_buffer,
-                                       tree_accumulator_, tree_accumulator_.frame_buffer, frame_buffer_,
-                                       frame_buffer_.tree_accumulator);
+  connect<TerminalMessage>("pyramid_classifier_to_tree_accumulator", depths.pyramid_classifier_to_tree_accumulator,
+                           pyramid_classifier_, pyramid_classifier_.tree_accumulator, tree_accumulator_,
+                           tree_accumulator_.pyramid_classifier);
+  connect<PixelMessage>("tree_accumulator_to_frame_buffer", depths.tree_accumulator_to_frame_buffer, tree_accumulator_,
+                        tree_accumulator_.frame_buffer, frame_buffer_, frame_buffer_.tree_accumulator);
   auto& credits = connect<SlotCredit>("tree_accumulator_to_pixel_scan", spec_.pixels_in_flight, tree_accumulator_,
                                       tree_accumulator_.pixel_scan, pixel_scan_, pixel_scan_.tree_accumulator);
   for (std::uint32_t slot = 0; slot < spec_.pixels_in_flight; ++slot) credits.preload({slot});
   stages_.push_back(&tree_accumulator_);
   stages_.push_back(&frame_buffer_);
-  if (engine != Engine::decoupled) return;
-  nodes.wake_reader_when_full();  // nothing but their own time waits for these readers
-  pixels.wake_reader_when_full();
 }
 
 void Processor::bind_controller() {

@@ -17,6 +17,7 @@
 #include "hw_model/subdivision_controller.h"
 #include "hw_model/tree_accumulator.h"
 #include "hw_model/view_vector_generator.h"
+#include "hw_model/wire.h"
 
 namespace pyrasim::hw {
 
@@ -35,13 +36,6 @@ struct SimulationOptions {
   int threads = 1;                       ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
   bool check_machine = true;             ///< refuse a machine that cannot hold the frame; off only to see it deadlock
   Progress progress;
-};
-
-/// A FIFO and the stages at its ends.
-struct Wire {
-  FifoBase* fifo;
-  Stage* writer;
-  Stage* reader;
 };
 
 /// A box of the block diagram that was left out, and why.
@@ -87,8 +81,8 @@ class Processor final : public sc_core::sc_module {
 
  private:
   template <class Message, class Writer, class Reader, class Out, class In>
-  Fifo<Message>& connect(const char* name, std::size_t depth, Writer& writer, Out& out, Reader& reader, In& in);
-  void bind(Engine engine);
+  Fifo<Message>& connect(const char* name, std::size_t depth, Writer& writer, Out&& out, Reader& reader, In&& in);
+  void bind();
   void bind_controller();
   void list_omitted();
   Progress stopping(const Progress& progress);

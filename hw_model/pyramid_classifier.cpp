@@ -15,90 +15,73 @@ PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, StageT
       columns_(static_cast<std::uint32_t>(window_.columns)),
       corner_row_(static_cast<std::size_t>(columns_) + 1) {}
 
-Start PyramidClassifier::next(Ends& ends, Cycle ready) {
-  Step& step = ends.step;
-  plan(step);
-  Start start(ready);
-  if (!step.known) return await_sample(start);
-  if (step.samples != nullptr) {
-    if (reorder_buffer.bound()) start.needs_token(*reorder_buffer);
-    start.needs_token(*step.samples);
+PyramidClassifier::Plan PyramidClassifier::next(const Ends& ends, Cycle ready) const {
+  Plan plan(ready);
+  if (samples_ == subdivision_rays) {
+    plan.node.emplace(*this, std::size_t{3}, parent_.corners[3]);
+  } else if (!plan_sample(plan)) {
+    return plan;
   }
-  if (step.reads_parent) start.needs_token(*parents);
-  if (step.to_controller()) start.needs_room(*subdivision_controller);
-  if (step.to_accumulator()) start.needs_room(ends.tree_accumulator);
-  return start;
+  if (plan.reads_parent) plan.start.needs_token(*parents);
+  if (plan.node) {
+    if (plan.node->to_controller()) plan.start.needs_room(*subdivision_controller);
+    if (!plan.node->subdivide) plan.start.needs_room(ends.tree_accumulator);
+  }
+  return plan;
 }
 
-/// Nothing is known until the next sample is seen.
-Start PyramidClassifier::await_sample(Start start) const {
-  if (reorder_buffer.bound() && reorder_buffer->empty()) return start.needs_token(*reorder_buffer);
-  return start.needs_token(*intersection_units[unit_]);
-}
-
-void PyramidClassifier::plan(Step& step) {
-  step.samples = nullptr;
-  step.reads_parent = false;
-  step.node = nullptr;
-  step.known = samples_ == subdivision_rays;
-  if (step.known) {
-    plan_subpixel(step, 3);
-    return;
-  }
+/// Returns whether the next sample is there: until then nothing is known.
+bool PyramidClassifier::plan_sample(Plan& plan) const {
+  std::size_t unit = unit_;
   if (reorder_buffer.bound()) {
-    if (reorder_buffer->empty()) return;
-    unit_ = reorder_buffer->front().unit;
+    plan.start.needs_token(*reorder_buffer);
+    if (reorder_buffer->empty()) return false;
+    unit = reorder_buffer->front().unit;
   }
-  Fifo<SampleMessage>& samples = *intersection_units[unit_];
-  if (samples.empty()) return;
-  step.known = true;
-  step.samples = &samples;
-  const SampleMessage& message = samples.front();
-  if (!message.subdivision) {
-    plan_corner(step, message);
-    return;
+  plan.samples = &intersection_units[unit];
+  plan.start.needs_token(*plan.samples);
+  if (plan.samples->empty()) return false;
+  const SampleMessage& message = plan.samples->front();
+  if (message.subdivision) {
+    plan.reads_parent = samples_ == 0;
+    if (samples_ >= center) plan.node.emplace(*this, samples_ - center, message.sample);
+  } else if (message.tag.pixel != no_pixel) {
+    plan.node.emplace(*this, message);
   }
-  step.reads_parent = samples_ == 0;
-  middle_[samples_] = message.sample;
-  if (samples_ >= center) plan_subpixel(step, samples_ - center);
+  return true;
 }
 
-void PyramidClassifier::plan_corner(Step& step, const SampleMessage& message) const {
-  if (message.tag.pixel == no_pixel) return;
-  const Sample* const upper_right = &corner_row_[column_];
-  const Sample* const lower_left = upper_right - 1;
-  step.node = &message.tag;
-  step.corners = {upper_left_, *upper_right, *lower_left, message.sample};
-  step.pyramid = {};
-  step.closes_family = false;
-  classify_node(step);
-  if (!step.subdivide) return;
-  const std::uint32_t mu = message.tag.pixel / columns_;
-  const std::uint32_t nu = message.tag.pixel % columns_;
-  step.pyramid.corner = pixel_corner(window_, mu, nu, max_level_);
+PyramidClassifier::Node::Node(const PyramidClassifier& classifier, const SampleMessage& lower_right)
+    : tag(lower_right.tag),
+      corners{classifier.upper_left_, classifier.corner_row_[classifier.column_],
+              classifier.corner_row_[classifier.column_ - 1], lower_right.sample},
+      which(classify(corners)),
+      subdivide(subdivides(which, 0, classifier.max_level_)) {
+  if (!subdivide) return;  // the address is of no use
+  pyramid.corner = pixel_corner(classifier.window_, tag.pixel / classifier.columns_, tag.pixel % classifier.columns_,
+                                classifier.max_level_);
 }
 
-void PyramidClassifier::plan_subpixel(Step& step, std::size_t child) const {
-  step.node = &parent_.tag;
-  step.pyramid = subpixel(parent_.pyramid, child, max_level_);
-  step.corners = subpixel_corners(parent_.corners, middle_, child);
-  classify_node(step);
+PyramidClassifier::Node::Node(const PyramidClassifier& classifier, std::size_t child, const Sample& lower_right)
+    : tag(classifier.parent_.tag),
+      pyramid(subpixel(classifier.parent_.pyramid, child, classifier.max_level_)),
+      corners(subpixel_corners(classifier.parent_.corners, classifier.middle_, child)) {
+  corners[3] = lower_right;
+  which = classify(corners);
+  subdivide = subdivides(which, pyramid.level, classifier.max_level_);
   // The controller keeps room for a family that can be subdivided further, until it hears of the last one.
-  step.closes_family = child == 3 && step.pyramid.level < static_cast<std::uint32_t>(max_level_);
+  closes_family = child == 3 && pyramid.level < static_cast<std::uint32_t>(classifier.max_level_);
 }
 
-void PyramidClassifier::classify_node(Step& step) const {
-  step.which = classify(step.corners);
-  step.subdivide = subdivides(step.which, step.pyramid.level, max_level_);
-}
-
-Cycle PyramidClassifier::fire(Ends& ends, Cycle now) {
-  const Step& step = ends.step;
-  if (!step.known) plan(ends.step);
-  if (step.node != nullptr) emit(ends, now);
-  if (step.reads_parent) parent_ = parents->read(now);
-  if (step.samples != nullptr) {
-    take_sample(*step.samples, now);
+Cycle PyramidClassifier::fire(Ends& ends, const Plan& plan) {
+  const Cycle now = plan.start.at();
+  if (plan.node) emit(ends, *plan.node, now);
+  if (plan.reads_parent) {
+    parent_ = parents->front();
+    parents->pop(now);
+  }
+  if (plan.samples != nullptr) {
+    take_sample(*plan.samples, now);
   } else {
     samples_ = 0;
   }
@@ -108,34 +91,35 @@ Cycle PyramidClassifier::fire(Ends& ends, Cycle now) {
 void PyramidClassifier::take_sample(Fifo<SampleMessage>& samples, Cycle now) {
   const SampleMessage& message = samples.front();
   if (message.subdivision) {
-    ++samples_;
+    middle_[samples_++] = message.sample;
   } else {
     upper_left_ = corner_row_[column_];
     corner_row_[column_] = message.sample;
     if (++column_ > columns_) column_ = 0;
   }
   samples.pop(now);
-  if (reorder_buffer.bound()) reorder_buffer->pop(now);
-  if (++unit_ == intersection_units.size()) unit_ = 0;
+  if (reorder_buffer.bound()) {
+    reorder_buffer->pop(now);
+  } else if (++unit_ == intersection_units.size()) {
+    unit_ = 0;
+  }
 }
 
-void PyramidClassifier::emit(Ends& ends, Cycle now) {
-  const Step& step = ends.step;
-  counts_.count(step.which, step.pyramid.level);
-  if (step.subdivide) ++counts_.subdivisions;
-  if (step.to_controller()) {
+void PyramidClassifier::emit(Ends& ends, const Node& node, Cycle now) {
+  counts_.count(node.which, node.pyramid.level);
+  if (node.subdivide) ++counts_.subdivisions;
+  if (node.to_controller()) {
     subdivision_controller->write_made(
         [&] {
-          return NodeMessage{step.pyramid, *step.node, step.corners, step.subdivide, step.closes_family};
+          return NodeMessage{node.pyramid, node.tag, node.corners, node.subdivide, node.closes_family};
         },
         now, timing_.latency);
   }
-  if (!step.to_accumulator()) return;
+  if (node.subdivide) return;
   ++counts_.terminal_nodes;
   ends.tree_accumulator.write_made(
       [&] {
-        return TerminalMessage{palette_.terminal_color(step.which, step.corners, leaf_), *step.node,
-                               step.pyramid.level};
+        return TerminalMessage{palette_.terminal_color(node.which, node.corners, leaf_), node.tag, node.pyramid.level};
       },
       now, timing_.latency);
 }

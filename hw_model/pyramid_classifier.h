@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "hw_model/fifo/fifo_port.h"
+#include "hw_model/fifo/fifo_ports.h"
+#include "hw_model/fifo/fifo_writer.h"
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
-#include "hw_model/stage.h"
+#include "hw_model/stage/stage_of.h"
 #include "render/frame_statistics.h"
 
 namespace pyrasim::hw {
@@ -18,7 +22,7 @@ namespace pyrasim::hw {
 /// so a family takes six firings. Terminal nodes go to the tree accumulator, nodes to subdivide to the controller.
 class PyramidClassifier final : public StageOf<PyramidClassifier> {
  public:
-  sc_core::sc_vector<FifoPort<SampleMessage>> intersection_units;
+  FifoPorts<SampleMessage> intersection_units;
   OptionalFifoPort<UnitNumber> reorder_buffer{"reorder_buffer"};  ///< from the generator; only under first_free
   OptionalFifoPort<NodeMessage> parents{"parents"};  ///< the nodes whose five samples are under way, in order
   OptionalFifoPort<NodeMessage> subdivision_controller{"subdivision_controller"};
@@ -33,35 +37,40 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
 
  private:
   friend StageOf;
-  /// What the next firing does, known from the data alone.
-  struct Step {
-    bool known = false;
-    Fifo<SampleMessage>* samples = nullptr;  ///< that it reads a sample from; none where it reads none
-    bool reads_parent = false;
-    const PixelTag* node = nullptr;  ///< whose pyramid is complete; the rest is about that
+  /// A pyramid whose four corners are known. Made in place: copying what has just been stored in pieces stalls a
+  /// processor.
+  struct Node {
+    /// The pixel that a corner completes, as its lower right one.
+    Node(const PyramidClassifier& classifier, const SampleMessage& lower_right);
+    /// Subpixel `child` of the classifier's parent, of which the lower right sample has not been taken yet.
+    Node(const PyramidClassifier& classifier, std::size_t child, const Sample& lower_right);
+
+    const PixelTag& tag;
     Pyramid pyramid;
     CornerSamples corners;
-    PyramidCase which = PyramidCase::empty;
-    bool subdivide = false;
+    PyramidCase which;
+    bool subdivide;
     bool closes_family = false;
-    bool to_controller() const { return node != nullptr && (subdivide || closes_family); }
-    bool to_accumulator() const { return node != nullptr && !subdivide; }
+    bool to_controller() const { return subdivide || closes_family; }
+  };
+  /// What a firing does, known from the data alone.
+  struct Plan {
+    explicit Plan(Cycle ready) : start(ready) {}
+    Start start;
+    Fifo<SampleMessage>* samples = nullptr;  ///< that it reads a sample from; none where it reads none
+    bool reads_parent = false;
+    std::optional<Node> node;  ///< that is complete
   };
   struct Ends {
     FifoWriter<TerminalMessage> tree_accumulator;
-    Step step;  ///< planned as soon as its data is there
   };
-  Ends ends() { return {FifoWriter(*tree_accumulator), {}}; }
-  Start next(Ends& ends, Cycle ready);
-  Cycle fire(Ends& ends, Cycle now);
+  Ends ends() const { return {FifoWriter(*tree_accumulator)}; }
+  Plan next(const Ends& ends, Cycle ready) const;
+  Cycle fire(Ends& ends, const Plan& plan);
 
-  Start await_sample(Start start) const;
-  void plan(Step& step);
-  void plan_corner(Step& step, const SampleMessage& message) const;
-  void plan_subpixel(Step& step, std::size_t child) const;
-  void classify_node(Step& step) const;
+  bool plan_sample(Plan& plan) const;
   void take_sample(Fifo<SampleMessage>& samples, Cycle now);
-  void emit(Ends& ends, Cycle now);
+  void emit(Ends& ends, const Node& node, Cycle now);
 
   StageTiming timing_;
   Palette palette_;
@@ -69,7 +78,7 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   int max_level_;
   PixelWindow window_;
   std::uint32_t columns_;           ///< N_z of the window
-  std::size_t unit_ = 0;            ///< that the next sample comes from
+  std::size_t unit_ = 0;            ///< that the next sample comes from, where the units take turns
   std::vector<Sample> corner_row_;  ///< the newest corner sample of each of the N_z + 1 columns
   Sample upper_left_;               ///< and of the last column the one before
   std::uint32_t column_ = 0;        ///< of the next corner

@@ -10,12 +10,12 @@ SubdivisionController::SubdivisionController(const sc_core::sc_module_name& name
                                              int max_level)
     : StageOf(name), timing_(timing), pool_(pool), max_level_(max_level) {}
 
-Start SubdivisionController::next(Ends& ends, Cycle ready) {
+SubdivisionController::Plan SubdivisionController::next(const Ends& ends, Cycle ready) const {
   const Start accept = Start(ready).needs_token(ends.pyramid_classifier);
   const Start issue =
       can_issue() ? Start(ready).needs_room(ends.view_vector_generator).needs_room(ends.parents) : Start(never);
-  accepts_ = accept.at() <= issue.at();
-  return accepts_ ? accept : issue;
+  if (accept.at() <= issue.at()) return {accept, true};
+  return {issue, false};
 }
 
 /// The banker's rule.
@@ -34,8 +34,9 @@ std::size_t SubdivisionController::pool_needed() const {
   return 3 * (static_cast<std::size_t>(max_level_) - 1 - level) + (from_pool ? 0 : 1);
 }
 
-Cycle SubdivisionController::fire(Ends& ends, Cycle now) {
-  if (accepts_) {
+Cycle SubdivisionController::fire(Ends& ends, const Plan& plan) {
+  const Cycle now = plan.start.at();
+  if (plan.accepts) {
     accept(ends.pyramid_classifier.front());
     ends.pyramid_classifier.pop(now);
   } else {
@@ -61,19 +62,26 @@ void SubdivisionController::accept(const NodeMessage& node) {
 }
 
 void SubdivisionController::issue(Ends& ends, Cycle now) {
-  NodeMessage node;
-  if (subpixels_.empty()) {
-    node = pixels_.front();
-    pixels_.pop_front();
-  } else {
-    node = subpixels_.back();
-    subpixels_.pop_back();
-  }
-  if (family_returns(node.pyramid.level)) reserved_ += 4;
-  most_used_ = std::max(most_used_, subpixels_.size() + reserved_);
-  assert(most_used_ <= pool_);
+  const bool from_pool = !subpixels_.empty();
+  const NodeMessage& node = from_pool ? subpixels_.back() : pixels_.front();
   ends.view_vector_generator.write({node.pyramid}, now, timing_.latency);
   ends.parents.write(node, now, timing_.latency);
+  if (family_returns(node.pyramid.level)) reserved_ += 4;
+  if (from_pool) {
+    subpixels_.pop_back();
+  } else {
+    pixels_.pop_front();
+  }
+  most_used_ = std::max(most_used_, subpixels_.size() + reserved_);
+  assert(most_used_ <= pool_);
+}
+
+[[gnu::flatten]] void SubdivisionController::fire_before(Cycle horizon) {
+  if (books_singly()) {
+    fire_one(horizon);
+  } else {
+    fire_in_a_row(horizon, [](const Ends&) { return true; });
+  }
 }
 
 }  // namespace pyrasim::hw

@@ -5,9 +5,12 @@
 #include <deque>
 #include <vector>
 
+#include "hw_model/fifo/fifo_port.h"
+#include "hw_model/fifo/fifo_reader.h"
+#include "hw_model/fifo/fifo_writer.h"
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
-#include "hw_model/stage.h"
+#include "hw_model/stage/stage_of.h"
 
 namespace pyrasim::hw {
 
@@ -28,6 +31,10 @@ class SubdivisionController final : public StageOf<SubdivisionController> {
 
   bool chooses_by_arrival() const override { return true; }
 
+  /// Fires, once at least, before `horizon`, which next_start() has to be. Requires that nothing comes to be seen
+  /// meanwhile that could be read before `horizon`.
+  void fire_before(Cycle horizon);
+
   std::size_t pool_depth() const { return pool_; }
   std::size_t pool_max() const { return most_used_; }
   /// Entries in use or reserved.
@@ -37,14 +44,21 @@ class SubdivisionController final : public StageOf<SubdivisionController> {
 
  private:
   friend StageOf;
+  /// A firing either accepts a node or issues a request.
+  struct Plan {
+    Start start;
+    bool accepts;
+  };
   struct Ends {
     FifoReader<NodeMessage> pyramid_classifier;
     FifoWriter<SubdivisionRequest> view_vector_generator;
     FifoWriter<NodeMessage> parents;
   };
-  Ends ends() { return {FifoReader(*pyramid_classifier), FifoWriter(*view_vector_generator), FifoWriter(*parents)}; }
-  Start next(Ends& ends, Cycle ready);
-  Cycle fire(Ends& ends, Cycle now);
+  Ends ends() const {
+    return {FifoReader(*pyramid_classifier), FifoWriter(*view_vector_generator), FifoWriter(*parents)};
+  }
+  Plan next(const Ends& ends, Cycle ready) const;
+  Cycle fire(Ends& ends, const Plan& plan);
   bool can_issue() const;
   void accept(const NodeMessage& node);
   void issue(Ends& ends, Cycle now);
@@ -59,7 +73,6 @@ class SubdivisionController final : public StageOf<SubdivisionController> {
   std::size_t reserved_ = 0;            ///< entries kept for subpixels under way
   std::size_t unsettled_ = 4;           ///< of them, those of the family that is coming in
   std::size_t most_used_ = 0;
-  bool accepts_ = false;  ///< the next firing accepts a node; else it issues a request
 };
 
 }  // namespace pyrasim::hw

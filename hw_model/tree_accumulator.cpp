@@ -13,14 +13,15 @@ bool TreeAccumulator::completes(const TerminalMessage& node) const {
   return node.level == 0 || slots_[node.tag.slot].tree.completed_by(node.level, max_level_);
 }
 
-Start TreeAccumulator::next(Ends& ends, Cycle ready) const {
+TreeAccumulator::Plan TreeAccumulator::next(const Ends& ends, Cycle ready) const {
   Start start = Start(ready).needs_token(ends.pyramid_classifier);
-  if (!start.known()) return start;
+  if (!start.known()) return {start};
   if (completes(ends.pyramid_classifier.front())) start.needs_room(ends.frame_buffer).needs_room(ends.pixel_scan);
-  return start;
+  return {start};
 }
 
-Cycle TreeAccumulator::fire(Ends& ends, Cycle now) {
+Cycle TreeAccumulator::fire(Ends& ends, const Plan& plan) {
+  const Cycle now = plan.start.at();
   const TerminalMessage& node = ends.pyramid_classifier.front();
   if (node.level == 0) {
     finish(node.tag, 0, single_node_result(node.color), ends, now);

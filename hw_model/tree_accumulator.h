@@ -4,11 +4,14 @@
 #include <array>
 #include <vector>
 
+#include "hw_model/fifo/fifo_port.h"
+#include "hw_model/fifo/fifo_reader.h"
+#include "hw_model/fifo/fifo_writer.h"
 #include "hw_model/latency_histogram.h"
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
 #include "hw_model/slowest_pixels.h"
-#include "hw_model/stage.h"
+#include "hw_model/stage/stage_of.h"
 #include "pyramid/trace_tree.h"
 
 namespace pyrasim::hw {
@@ -31,14 +34,17 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
 
  private:
   friend StageOf;
+  struct Plan {
+    Start start;
+  };
   struct Ends {
     FifoReader<TerminalMessage> pyramid_classifier;
     FifoWriter<PixelMessage> frame_buffer;
     FifoWriter<SlotCredit> pixel_scan;
   };
-  Ends ends() { return {FifoReader(*pyramid_classifier), FifoWriter(*frame_buffer), FifoWriter(*pixel_scan)}; }
-  Start next(Ends& ends, Cycle ready) const;
-  Cycle fire(Ends& ends, Cycle now);
+  Ends ends() const { return {FifoReader(*pyramid_classifier), FifoWriter(*frame_buffer), FifoWriter(*pixel_scan)}; }
+  Plan next(const Ends& ends, Cycle ready) const;
+  Cycle fire(Ends& ends, const Plan& plan);
   bool completes(const TerminalMessage& node) const;
   void finish(const PixelTag& tag, std::uint32_t deepest, const glm::vec3& color, Ends& ends, Cycle now);
 

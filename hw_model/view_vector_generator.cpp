@@ -14,63 +14,66 @@ ViewVectorGenerator::ViewVectorGenerator(const sc_core::sc_module_name& name, St
       count_events_(count_events),
       max_level_(max_level) {}
 
-Start ViewVectorGenerator::next(Ends& ends, Cycle ready) {
+ViewVectorGenerator::Plan ViewVectorGenerator::next(const Ends& ends, Cycle ready) const {
   Start start(ready);
-  if (rays_left_ == 0) {
-    reads_request_ = request_goes_first(ends, ready);
-    if (reads_request_) {
-      start.needs_token(*subdivision_controller);
-    } else {
-      start.needs_token(ends.pixel_scan);
-    }
+  const bool reads_request = rays_left_ == 0 && request_goes_first(ends, ready);
+  if (reads_request) {
+    start.needs_token(*subdivision_controller);
+  } else if (rays_left_ == 0) {
+    start.needs_token(ends.pixel_scan);
   }
-  return with_room(start);
+  start = with_room(start);
+  return {start, reads_request, chooses_unit() && start.known() ? free_unit(start.at()) : unit_};
 }
 
 /// A request goes first that is there no later than the corner, or than anything at all could be issued.
-bool ViewVectorGenerator::request_goes_first(Ends& ends, Cycle ready) {
+bool ViewVectorGenerator::request_goes_first(const Ends& ends, Cycle ready) const {
   if (!subdivision_controller.bound() || subdivision_controller->empty()) return false;
-  const Cycle request = subdivision_controller->token();
-  return request <= ends.pixel_scan.token() || request <= with_room(Start(ready)).at();
+  const Cycle request = subdivision_controller->token_at();
+  return request <= ends.pixel_scan.token_at() || request <= with_room(Start(ready)).at();
 }
 
-/// `start`, once there is room for the ray; under first_free this settles which unit it goes to.
-Start ViewVectorGenerator::with_room(Start start) {
-  return chooses_unit() ? with_free_unit(start) : start.needs_room(*intersection_units[unit_]);
+/// `start`, once there is room for the ray.
+Start ViewVectorGenerator::with_room(Start start) const {
+  if (!chooses_unit()) return start.needs_room(intersection_units[unit_]);
+  return start.needs_room(intersection_units[earliest_unit()]).needs_room(*reorder_buffer);
 }
 
-Start ViewVectorGenerator::with_free_unit(Start start) {
-  const auto following = [&](std::size_t unit) { return unit + 1 == intersection_units.size() ? 0 : unit + 1; };
+/// The unit that has room first.
+std::size_t ViewVectorGenerator::earliest_unit() const {
   std::size_t earliest = unit_;
   for (std::size_t unit = following(unit_); unit != unit_; unit = following(unit)) {
-    if (intersection_units[unit]->room() < intersection_units[earliest]->room()) earliest = unit;
+    if (intersection_units[unit].room_at() < intersection_units[earliest].room_at()) earliest = unit;
   }
-  start.needs_room(*intersection_units[earliest]).needs_room(*reorder_buffer);
-  free_unit_ = unit_;
-  while (start.known() && intersection_units[free_unit_]->room() > start.at()) free_unit_ = following(free_unit_);
-  return start;
+  return earliest;
+}
+
+/// The first unit, counting on from unit_, of those that have room at `now`; one has to.
+std::size_t ViewVectorGenerator::free_unit(Cycle now) const {
+  std::size_t unit = unit_;
+  while (intersection_units[unit].room_at() > now) unit = following(unit);
+  return unit;
 }
 
 [[gnu::flatten]] bool ViewVectorGenerator::fire_before(Cycle horizon) {
   if (books_singly()) return fire_one(horizon);
-  return fire_in_a_row(horizon, [this](const Ends& ends) {
-    return (rays_left_ > 0 || !ends.pixel_scan.empty()) && rays_left_ != subdivision_rays - 1;
-  });
+  return fire_in_a_row(
+      horizon, [this](const Ends& ends) { return (rays_left_ > 0 || !ends.pixel_scan.empty()) && !ends.made_room; });
 }
 
-Cycle ViewVectorGenerator::fire(Ends& ends, Cycle now) {
-  if (reads_request_) {
-    request_ = subdivision_controller->read(now).pyramid;
+Cycle ViewVectorGenerator::fire(Ends& ends, const Plan& plan) {
+  if (plan.reads_request) {
+    ends.made_room = subdivision_controller->full();
+    request_ = subdivision_controller->read(plan.start.at()).pyramid;
     rays_left_ = subdivision_rays;
-    reads_request_ = false;
   }
   if (rays_left_ > 0) {
-    issue(subdivision_point(request_, subdivision_rays - rays_left_, max_level_), request_.level + 1, {}, now);
+    issue(subdivision_point(request_, subdivision_rays - rays_left_, max_level_), request_.level + 1, {}, plan);
     --rays_left_;
   } else {
     const CornerRequest& corner = ends.pixel_scan.front();
-    issue(corner.point, 0, corner.tag, now);
-    ends.pixel_scan.pop(now);
+    issue(corner.point, 0, corner.tag, plan);
+    ends.pixel_scan.pop(plan.start.at());
   }
   return timing_.interval;
 }
@@ -80,18 +83,16 @@ glm::dvec3 ViewVectorGenerator::view_vector(GridPoint point) {
   return view_vectors_(point);
 }
 
-void ViewVectorGenerator::issue(GridPoint point, std::uint32_t level, const PixelTag& tag, Cycle now) {
+void ViewVectorGenerator::issue(GridPoint point, std::uint32_t level, const PixelTag& tag, const Plan& plan) {
+  const Cycle now = plan.start.at();
   ++rays_by_level_[level];
-  if (dispatch_ == Dispatch::first_free) {
-    unit_ = free_unit_;
-    reorder_buffer->write({static_cast<std::uint32_t>(unit_)}, now, timing_.latency);
-  }
-  intersection_units[unit_]->write_made(
+  intersection_units[plan.unit].write_made(
       [&] {
         return RayMessage{view_vector(point), point, tag, level > 0};
       },
       now, timing_.latency);
-  if (++unit_ == intersection_units.size()) unit_ = 0;
+  if (chooses_unit()) reorder_buffer->write({static_cast<std::uint32_t>(plan.unit)}, now, timing_.latency);
+  unit_ = following(plan.unit);
 }
 
 }  // namespace pyrasim::hw

@@ -3,9 +3,12 @@
 
 #include <array>
 
+#include "hw_model/fifo/fifo_port.h"
+#include "hw_model/fifo/fifo_ports.h"
+#include "hw_model/fifo/fifo_reader.h"
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
-#include "hw_model/stage.h"
+#include "hw_model/stage/stage_of.h"
 #include "trace/datapath_formats.h"
 #include "trace/view_vector.h"
 
@@ -18,7 +21,7 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
  public:
   FifoPort<CornerRequest> pixel_scan{"pixel_scan"};
   OptionalFifoPort<SubdivisionRequest> subdivision_controller{"subdivision_controller"};
-  sc_core::sc_vector<FifoPort<RayMessage>> intersection_units;
+  FifoPorts<RayMessage> intersection_units;
   OptionalFifoPort<UnitNumber> reorder_buffer{"reorder_buffer"};  ///< to the classifier; only under first_free
 
   ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, Dispatch dispatch,
@@ -30,8 +33,8 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   bool sees_next_corner() const { return rays_left_ > 0 || !pixel_scan->empty(); }
   /// Whether the unit that a ray goes to depends on what has room first.
   bool chooses_unit() const { return dispatch_ == Dispatch::first_free; }
-  /// Fires before `horizon`: until the next corner is not seen, or with the first ray of a request, whose reading makes
-  /// room for another. Returns whether it fired at all. Requires that whatever could still come to be seen comes later
+  /// Fires before `horizon`: until the next corner is not seen, or a request has been read that makes room where there
+  /// was none. Returns whether it fired at all. Requires that whatever could still come to be seen comes later
   /// than next_start().
   bool fire_before(Cycle horizon);
   /// That the next ray goes to, where the generator does not choose.
@@ -43,28 +46,35 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
 
  private:
   friend StageOf;
+  /// The next ray.
+  struct Plan {
+    Start start;
+    bool reads_request;  ///< it is the first of a request
+    std::size_t unit;    ///< that it goes to
+  };
   struct Ends {
     FifoReader<CornerRequest> pixel_scan;
+    bool made_room = false;  ///< for a request, where there was none
   };
-  Ends ends() { return {FifoReader(*pixel_scan)}; }
-  Start next(Ends& ends, Cycle ready);
-  Cycle fire(Ends& ends, Cycle now);
-  bool request_goes_first(Ends& ends, Cycle ready);
-  Start with_room(Start start);
-  Start with_free_unit(Start start);
+  Ends ends() const { return {FifoReader(*pixel_scan), false}; }
+  Plan next(const Ends& ends, Cycle ready) const;
+  Cycle fire(Ends& ends, const Plan& plan);
+  bool request_goes_first(const Ends& ends, Cycle ready) const;
+  Start with_room(Start start) const;
+  std::size_t following(std::size_t unit) const { return unit + 1 == intersection_units.size() ? 0 : unit + 1; }
+  std::size_t earliest_unit() const;
+  std::size_t free_unit(Cycle now) const;
   glm::dvec3 view_vector(GridPoint point);
-  void issue(GridPoint point, std::uint32_t level, const PixelTag& tag, Cycle now);
+  void issue(GridPoint point, std::uint32_t level, const PixelTag& tag, const Plan& plan);
 
   StageTiming timing_;
   Dispatch dispatch_;
   ViewVectors view_vectors_;
   bool count_events_;
   int max_level_;
-  Pyramid request_;             ///< whose rays are being issued
-  std::size_t rays_left_ = 0;   ///< of request_
-  bool reads_request_ = false;  ///< the next firing takes up a request
-  std::size_t unit_ = 0;        ///< that the next ray goes to, or from which first_free counts on
-  std::size_t free_unit_ = 0;   ///< that first_free has settled on
+  Pyramid request_;            ///< whose rays are being issued
+  std::size_t rays_left_ = 0;  ///< of request_
+  std::size_t unit_ = 0;       ///< that the next ray goes to, or from which first_free counts on
   std::array<std::uint64_t, max_level_limit + 1> rays_by_level_{};
   ArithmeticEvents events_;
 };

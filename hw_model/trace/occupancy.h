@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hw_model/fifo.h"
+#include "hw_model/fifo/fifo_base.h"
 
 namespace pyrasim::hw {
 

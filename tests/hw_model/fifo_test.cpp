@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hw_model/fifo.h"
+#include "hw_model/fifo/fifo.h"
 
 #include <gtest/gtest.h>
 
@@ -11,38 +11,38 @@ namespace {
 TEST(Fifo, TokenIsVisibleAfterItsLatencyAndNotBefore) {
   for (const Cycle latency : {1, 2, 7, 64}) {
     Fifo<int> fifo(sc_core::sc_gen_unique_name("fifo"), 4);
-    EXPECT_EQ(fifo.token(), never);
+    EXPECT_EQ(fifo.token_at(), never);
     fifo.write(42, 10, latency);
-    EXPECT_EQ(fifo.token(), 10 + latency);
+    EXPECT_EQ(fifo.token_at(), 10 + latency);
     EXPECT_EQ(fifo.front(), 42);
     EXPECT_EQ(fifo.read(10 + latency), 42);
-    EXPECT_EQ(fifo.token(), never);
+    EXPECT_EQ(fifo.token_at(), never);
   }
 }
 
 TEST(Fifo, CellReadIsFreeOneCycleLater) {
   Fifo<int> fifo("fifo", 1);
-  EXPECT_EQ(fifo.room(), 0U);
+  EXPECT_EQ(fifo.room_at(), 0U);
   fifo.write(1, 5, 3);
-  EXPECT_EQ(fifo.room(), never);
+  EXPECT_EQ(fifo.room_at(), never);
   fifo.read(9);
-  EXPECT_EQ(fifo.room(), 10U);
+  EXPECT_EQ(fifo.room_at(), 10U);
 }
 
 /// Writer ahead of the reader: each next cell is free when the token that lies `depth` before it has been read.
 TEST(Fifo, RoomIsThatOfTheCellNextInTurn) {
   Fifo<int> fifo("fifo", 3);
   for (int k = 0; k < 3; ++k) {
-    EXPECT_EQ(fifo.room(), 0U);
+    EXPECT_EQ(fifo.room_at(), 0U);
     fifo.write(k, 0, 1);
   }
-  EXPECT_EQ(fifo.room(), never);
+  EXPECT_EQ(fifo.room_at(), never);
   for (const Cycle at : {4, 8, 15}) fifo.read(at);
   for (const Cycle at : {5, 9, 16}) {
-    EXPECT_EQ(fifo.room(), at);
+    EXPECT_EQ(fifo.room_at(), at);
     fifo.write(0, at, 1);
   }
-  EXPECT_EQ(fifo.room(), never);
+  EXPECT_EQ(fifo.room_at(), never);
 }
 
 TEST(Fifo, KeepsOrderAtEveryDepth) {
@@ -54,8 +54,8 @@ TEST(Fifo, KeepsOrderAtEveryDepth) {
     int read = 0;
     while (read < 500) {
       ++now;
-      if (written < 500 && fifo.room() <= now && random() % 2 == 0) fifo.write(written++, now, 1 + random() % 3);
-      if (fifo.token() <= now && random() % 2 == 0) {
+      if (written < 500 && fifo.room_at() <= now && random() % 2 == 0) fifo.write(written++, now, 1 + random() % 3);
+      if (fifo.token_at() <= now && random() % 2 == 0) {
         ASSERT_EQ(fifo.read(now), read);
         ++read;
       }
@@ -71,8 +71,8 @@ TEST(Fifo, PreloadedTokensAreThereFromTheStart) {
   Fifo<int> fifo("fifo", 2);
   fifo.preload(7);
   fifo.preload(8);
-  EXPECT_EQ(fifo.token(), 0U);
-  EXPECT_EQ(fifo.room(), never);
+  EXPECT_EQ(fifo.token_at(), 0U);
+  EXPECT_EQ(fifo.room_at(), never);
   EXPECT_EQ(fifo.read(0), 7);
   EXPECT_EQ(fifo.read(1), 8);
 }
@@ -117,7 +117,7 @@ TEST(Fifo, StatisticsDoNotDependOnTheOrderOfCalls) {
   Fifo<int> ahead("ahead", 4);
   std::size_t read = 0;
   for (const Dates& token : tokens) {
-    while (ahead.room() > token.write) ahead.read(tokens[read++].read);
+    while (ahead.room_at() > token.write) ahead.read(tokens[read++].read);
     ahead.write(0, token.write, 1);
   }
   while (read < tokens.size()) ahead.read(tokens[read++].read);
@@ -185,6 +185,19 @@ TEST(FifoEnd, IsToldOnceUntilItSleepsAgain) {
   end.sleep();
   end.wake();
   EXPECT_EQ(end.wakes, 2);
+}
+
+TEST(FifoEnd, IsPutOnAListInsteadWhereItHasOne) {
+  CountingEnd end;
+  WokenEnds list;
+  end.enlist(list);
+  end.wake();
+  end.wake();
+  EXPECT_EQ(list, WokenEnds{&end});
+  end.sleep();
+  end.wake();
+  EXPECT_EQ(list, (WokenEnds{&end, &end}));
+  EXPECT_EQ(end.wakes, 0);
 }
 
 }  // namespace

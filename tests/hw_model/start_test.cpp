@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a firing waits for last, and which of several is named where they come at once.
+#include "hw_model/stage/start.h"
+
 #include <gtest/gtest.h>
 
-#include "hw_model/stage.h"
+#include "hw_model/fifo/fifo.h"
 
 namespace pyrasim::hw {
 namespace {

@@ -90,13 +90,13 @@ struct Bench {
   /// Lets the controller fire until it waits; the parents of the requests that it issues, in order.
   std::vector<NodeMessage> issued() {
     for (Start start = controller.next_start(); start.known(); start = controller.next_start()) {
-      controller.fire_at(start);
+      controller.fire_next();
       now = std::max(now, controller.ready());
     }
     std::vector<NodeMessage> all;
     while (!parents.empty()) {
-      all.push_back(parents.read(std::max(now, parents.token())));
-      requests.read(std::max(now, requests.token()));
+      all.push_back(parents.read(std::max(now, parents.token_at())));
+      requests.read(std::max(now, requests.token_at()));
     }
     return all;
   }
@@ -106,6 +106,21 @@ std::vector<std::uint32_t> pixels_of(const std::vector<NodeMessage>& nodes) {
   std::vector<std::uint32_t> pixels;
   for (const NodeMessage& node : nodes) pixels.push_back(node.tag.pixel);
   return pixels;
+}
+
+/// It could issue at 3; then a node comes that can be read at 3, and it would accept.
+TEST(SubdivisionController, FiresAsPlannedWhateverIsAskedAfterwards) {
+  Bench bench(64, 1);
+  bench.send(0, 7);
+  bench.controller.fire_next();
+  const auto issue = bench.controller.plan();
+  ASSERT_EQ(issue.start.at(), 3U);
+  bench.send(0, 8);
+  EXPECT_EQ(bench.controller.next_start().at(), 3U);
+  bench.controller.fire_planned(issue);
+  ASSERT_EQ(bench.requests.size(), 1U);
+  EXPECT_EQ(bench.parents.front().tag.pixel, 7U);
+  EXPECT_EQ(bench.nodes.size(), 1U);
 }
 
 TEST(SubdivisionController, IssuesPixelsOldestFirst) {

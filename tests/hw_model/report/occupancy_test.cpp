@@ -6,6 +6,8 @@
 #include <optional>
 #include <random>
 
+#include "hw_model/fifo/fifo.h"
+
 namespace pyrasim::hw {
 namespace {
 
@@ -55,12 +57,12 @@ class CountedFifo {
 
  private:
   void write(Cycle pause) {
-    last_write_ = std::max(last_write_ + 1 + random_() % pause, fifo_.room());
+    last_write_ = std::max(last_write_ + 1 + random_() % pause, fifo_.room_at());
     fifo_.write(0, last_write_, 1 + random_() % 3);
     writes_.push_back(last_write_);
   }
   void read(Cycle pause) {
-    last_read_ = std::max(last_read_ + 1 + random_() % pause, fifo_.token());
+    last_read_ = std::max(last_read_ + 1 + random_() % pause, fifo_.token_at());
     fifo_.read(last_read_);
     reads_.push_back(last_read_);
   }

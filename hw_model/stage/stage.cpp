@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hw_model/stage.h"
+#include "hw_model/stage/stage.h"
+
+#include <string>
+
+#include "hw_model/stage/kernel_time.h"
+#include "hw_model/stage/work_list.h"
 
 namespace pyrasim::hw {
 
+void Stage::attach(WorkList& work) {
+  decoupled_ = true;
+  if (!chooses_by_arrival()) enlist(work.stages());  // the engine asks the others when it is their turn
+  sleep();                                           // it may have been told of preloaded tokens
+}
+
 void Stage::woken() {
-  if (work_ == nullptr) {
-    woken_.notify(sc_core::SC_ZERO_TIME);
-  } else if (!chooses_by_arrival()) {  // the engine asks the others when it is their turn
-    work_->add(*this);
-  }
+  if (!decoupled_) woken_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void Stage::book(const Start& start, Cycle cycles) {
@@ -46,7 +53,7 @@ void Stage::lockstep(const RunControl& control) {
     const Start start = next_start();
     if (start.known() && start.at() > control.last) return;
     if (start.at() == now) {
-      fire_at(start);
+      fire_next();
       continue;
     }
     if (!start.known()) {
