@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "error.h"
+#include "hw_model/machine_settings.h"
 #include "json/json_file.h"
 #include "json/json_override.h"
 #include "json/json_reader.h"
@@ -14,116 +15,99 @@
 namespace pyrasim::hw {
 namespace {
 
-constexpr IntegerRange cycles{1, 1'000'000};
-constexpr IntegerRange cost{0, 1'000'000};
-constexpr IntegerRange depth{1, 65'536};
+using Paths = std::vector<std::string>;
 
-template <class T>
-void read(const JsonReader& reader, std::string_view key, const IntegerRange& range, T& setting) {
-  if (const auto value = reader.optional_integer(key, range)) setting = static_cast<T>(*value);
+/// Those that a machine file may hold: settings, and what stands for several or is for people.
+Paths allowed_paths() {
+  Paths paths{"name"};
+  const MachineSpec spec;
+  for_each_setting(spec, [&](const std::string& path, const auto&, const auto&) {
+    if (path.starts_with("fifos.") && !paths.back().starts_with("fifos.")) paths.emplace_back("fifos.all");
+    paths.push_back(path);
+  });
+  return paths;
 }
 
-void read(const JsonReader& reader, std::string_view key, const NumberRange& range, double& setting) {
-  setting = reader.optional_number(key, range).value_or(setting);
-}
-
-/// `more`: keys beside latency and interval, for the caller to read.
-std::optional<JsonReader> read_stage(const JsonReader& root, std::string_view name, StageTiming& timing,
-                                     const std::vector<std::string_view>& more = {}) {
-  auto reader = root.find(name);
-  if (!reader) return reader;
-  std::vector<std::string_view> keys{"latency", "interval"};
-  keys.insert(keys.end(), more.begin(), more.end());
-  reader->allow_keys(keys);
-  read(*reader, "latency", cycles, timing.latency);
-  read(*reader, "interval", cycles, timing.interval);
-  return reader;
-}
-
-void read_intersection(const JsonReader& reader, MachineSpec& spec) {
-  reader.allow_keys({"units", "dispatch", "reorder_buffer", "latency", "cost"});
-  read(reader, "units", {1, 256}, spec.intersection_units);
-  spec.dispatch = reader
-                      .optional_choice<Dispatch>(
-                          "dispatch", {{"round_robin", Dispatch::round_robin}, {"first_free", Dispatch::first_free}})
-                      .value_or(spec.dispatch);
-  read(reader, "reorder_buffer", depth, spec.reorder_buffer);
-  read(reader, "latency", cycles, spec.intersection_latency);
-  const auto costs = reader.find("cost");
-  if (!costs) return;
-  std::vector<std::string_view> keys{"ray", "box_test"};
-  keys.insert(keys.end(), surface_kind_names.begin(), surface_kind_names.end());
-  costs->allow_keys(keys);
-  read(*costs, "ray", cycles, spec.intersection_cost.ray);
-  read(*costs, "box_test", cost, spec.intersection_cost.box_test);
-  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
-    read(*costs, surface_kind_names[kind], cost, spec.intersection_cost.surface_test[kind]);
+/// Refuses keys of `reader`, and of the objects in it, that are in none of `paths`; these begin with `prefix`.
+void allow_paths(const JsonReader& reader, const Paths& paths, const std::string& prefix) {
+  std::vector<std::string_view> keys;
+  std::vector<std::string_view> groups;
+  for (const std::string_view path : paths) {
+    if (!path.starts_with(prefix)) continue;
+    const std::string_view rest = path.substr(prefix.size());
+    const std::string_view key = rest.substr(0, rest.find('.'));
+    if (!keys.empty() && keys.back() == key) continue;
+    keys.push_back(key);
+    if (key.size() < rest.size()) groups.push_back(key);
   }
-}
-
-void read_frame_buffer(const JsonReader& reader, MachineSpec& spec) {
-  if (reader.has("latency")) {
-    reader.member("latency").fail("nothing waits for what the frame buffer stores, so that it has no latency",
-                                  "remove it; allowed keys: interval");
-  }
-  reader.allow_keys({"interval"});
-  read(reader, "interval", cycles, spec.frame_buffer_interval);
-}
-
-void read_fifos(const JsonReader& reader, FifoDepths& depths) {
-  const std::vector<std::pair<std::string_view, std::size_t*>> fifos{
-      {"pixel_scan_to_view_vector_generator", &depths.pixel_scan_to_view_vector_generator},
-      {"view_vector_generator_to_intersection_unit", &depths.view_vector_generator_to_intersection_unit},
-      {"intersection_unit_to_pyramid_classifier", &depths.intersection_unit_to_pyramid_classifier},
-      {"pyramid_classifier_to_subdivision_controller", &depths.pyramid_classifier_to_subdivision_controller},
-      {"subdivision_controller_to_view_vector_generator", &depths.subdivision_controller_to_view_vector_generator},
-      {"subdivision_controller_to_pyramid_classifier", &depths.subdivision_controller_to_pyramid_classifier},
-      {"pyramid_classifier_to_tree_accumulator", &depths.pyramid_classifier_to_tree_accumulator},
-      {"tree_accumulator_to_frame_buffer", &depths.tree_accumulator_to_frame_buffer}};
-  std::vector<std::string_view> keys{"all"};
-  for (const auto& [name, setting] : fifos) keys.push_back(name);
   reader.allow_keys(keys);
-  for (const auto& [name, setting] : fifos) {
-    read(reader, "all", depth, *setting);
-    read(reader, name, depth, *setting);
+  for (const std::string_view group : groups) {
+    if (const auto found = reader.find(group)) allow_paths(*found, paths, fmt::format("{}{}.", prefix, group));
   }
+}
+
+/// The node at `path`; none where the file does not say it.
+std::optional<JsonReader> find(const JsonReader& root, std::string_view path) {
+  const std::size_t dot = path.find('.');
+  auto node = root.find(path.substr(0, dot));
+  return node && dot != std::string_view::npos ? find(*node, path.substr(dot + 1)) : std::move(node);
+}
+
+template <class Integer>
+Integer value(const JsonReader& node, Integer, const IntegerRange& range) {
+  return static_cast<Integer>(node.integer(range));
+}
+double value(const JsonReader& node, double, const NumberRange& range) { return node.number(range); }
+
+Dispatch value(const JsonReader& node, Dispatch, const decltype(dispatch_names)& names) {
+  return node.choice<Dispatch>({{names[0].first, names[0].second}, {names[1].first, names[1].second}});
+}
+
+void refuse_frame_buffer_latency(const JsonReader& root) {
+  const auto buffer = root.find("frame_buffer");
+  if (!buffer || !buffer->has("latency")) return;
+  buffer->member("latency").fail("nothing waits for what the frame buffer stores, so that it has no latency",
+                                 "remove it; allowed keys: interval");
+}
+
+/// How many settings differ.
+std::size_t differing(const MachineSpec& a, const MachineSpec& b) {
+  const auto first = settings_document(a).flatten();
+  const auto second = settings_document(b).flatten();
+  std::size_t count = 0;
+  for (const auto& [path, value] : first.items()) count += second[path] != value ? 1 : 0;
+  return count;
 }
 
 }  // namespace
 
+std::string MachineSpec::title() const {
+  return overridden == 0 ? name : fmt::format("{} + {} setting{}", name, overridden, overridden == 1 ? "" : "s");
+}
+
 MachineSpec read_machine(const std::string& file, const nlohmann::json& document) {
   MachineSpec spec;
   const JsonReader root(file, document);
-  root.allow_keys({"name", "clock_mhz", "goal_fps", "pixel_scan", "view_vector_generator", "intersection",
-                   "pyramid_classifier", "subdivision_controller", "tree_accumulator", "frame_buffer", "fifos"});
+  refuse_frame_buffer_latency(root);
+  allow_paths(root, allowed_paths(), "");
   spec.name = root.optional_string("name").value_or(std::filesystem::path(file).stem().string());
-  read(root, "clock_mhz", {0.001, 1e6}, spec.clock_mhz);
-  read(root, "goal_fps", {0.001, 1e6}, spec.goal_fps);
-  read_stage(root, "pixel_scan", spec.pixel_scan);
-  read_stage(root, "view_vector_generator", spec.view_vector_generator);
-  if (const auto intersection = root.find("intersection")) read_intersection(*intersection, spec);
-  if (const auto classifier = read_stage(root, "pyramid_classifier", spec.pyramid_classifier, {"corner_row"})) {
-    read(*classifier, "corner_row", {3, 65'537}, spec.corner_row);
-  }
-  if (const auto controller = read_stage(root, "subdivision_controller", spec.subdivision_controller, {"pool"})) {
-    read(*controller, "pool", {0, 1'000'000}, spec.subdivision_pool);
-  }
-  if (const auto accumulator = read_stage(root, "tree_accumulator", spec.tree_accumulator, {"pixels"})) {
-    read(*accumulator, "pixels", {1, 1'000'000}, spec.pixels_in_flight);
-  }
-  if (const auto buffer = root.find("frame_buffer")) read_frame_buffer(*buffer, spec);
-  if (const auto fifos = root.find("fifos")) read_fifos(*fifos, spec.fifos);
+  const auto every_fifo = find(root, "fifos.all");
+  for_each_setting(spec, [&](const std::string& path, auto& setting, const auto& allowed) {
+    if (every_fifo && path.starts_with("fifos.")) setting = value(*every_fifo, setting, allowed);
+    if (const auto node = find(root, path)) setting = value(*node, setting, allowed);
+  });
   return spec;
 }
 
 MachineSpec load_machine(const std::optional<std::filesystem::path>& file, const std::vector<std::string>& overrides) {
   const std::string name = file ? file->string() : "default";
   nlohmann::json document = file ? read_json_file(*file) : nlohmann::json::object();
-  MachineSpec spec = read_machine(name, document);
-  if (overrides.empty()) return spec;
+  const MachineSpec spec = read_machine(name, document);
   for (const std::string& assignment : overrides) apply_override(document, assignment);
   try {
-    return read_machine(name, document);
+    MachineSpec changed = read_machine(name, document);
+    changed.overridden = differing(spec, changed);
+    return changed;
   } catch (const InputError& error) {
     throw UsageError(fmt::format("--set: {}", error.what()));
   }

@@ -8,6 +8,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hw_model/cycle.h"
@@ -35,6 +37,8 @@ enum class Dispatch : std::uint8_t {
   round_robin,  ///< each in turn
   first_free,   ///< the first that has room, counting on from the last; the reorder buffer restores the order
 };
+inline constexpr std::array<std::pair<std::string_view, Dispatch>, 2> dispatch_names{
+    {{"round_robin", Dispatch::round_robin}, {"first_free", Dispatch::first_free}}};
 
 /// Depths of the FIFOs, in tokens: one name for each kind of arrow in the block diagram.
 struct FifoDepths {
@@ -52,6 +56,7 @@ struct FifoDepths {
 /// A machine. Immutable once loaded; see docs/machine.md for what each number means.
 struct MachineSpec {
   std::string name = "default";
+  std::size_t overridden = 0;  ///< settings that --set gave another value than the file's
   double clock_mhz = 200;
   double goal_fps = 30;  ///< the frame rate that makes the cycle budget
   StageTiming pixel_scan;
@@ -72,6 +77,8 @@ struct MachineSpec {
 
   /// Cycles that a frame may take at the goal's frame rate.
   Cycle budget() const { return static_cast<Cycle>(clock_mhz * 1e6 / goal_fps); }
+  /// "default", "default + 1 setting", "default + 2 settings" ...
+  std::string title() const;
   friend bool operator==(const MachineSpec&, const MachineSpec&) = default;
 };
 

@@ -186,7 +186,7 @@ struct BudgetCommand {
     const double goal = asked.spec.goal_fps;
     std::string text = fmt::format(
         "{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n{} cycles, {:.1f} frames per second\n", one_line(frame.scene),
-        screen.columns, screen.rows, asked.options.max_level, excerpt(asked.spec.name), cycles, reached);
+        screen.columns, screen.rows, asked.options.max_level, excerpt(asked.spec.title()), cycles, reached);
     text += fmt::format("budget: {} cycles for {} frames per second, {} by {:.1f} %\n", asked.spec.budget(), goal,
                         changes ? "missed" : "met", 100 * std::abs(reached / goal - 1));
     if (!changes) return text;

@@ -187,6 +187,11 @@ Option Command::add_texts(const std::string& name, std::vector<std::string>& val
                     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
 }
 
+Option Command::add_arguments(const std::string& name, std::vector<std::string>& values,
+                              const std::string& description) const {
+  return Option(app_->add_option(name, values, description)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
+}
+
 Option Command::add_number(const std::string& name, double& value, double least, double most,
                            const std::string& description) const {
   return add_limited(*app_, name, value, least, most, description, "number");

@@ -54,6 +54,8 @@ class Command {
   Option add_text(const std::string& name, std::optional<std::string>& value, const std::string& description) const;
   /// May be given several times.
   Option add_texts(const std::string& name, std::vector<std::string>& values, const std::string& description) const;
+  /// Arguments without an option's name, one or more.
+  Option add_arguments(const std::string& name, std::vector<std::string>& values, const std::string& description) const;
 
   /// A number from `least` to `most`; NaN is outside.
   Option add_number(const std::string& name, double& value, double least, double most,

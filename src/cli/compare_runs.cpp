@@ -18,18 +18,9 @@ bool is_named(const json& element) {
   return element.is_object() && element.contains("name") && element["name"].is_string();
 }
 
-constexpr std::array<std::string_view, 12> settings{"scene",
-                                                    "columns",
-                                                    "rows",
-                                                    "window",
-                                                    "method",
-                                                    "max_level",
-                                                    "leaf",
-                                                    "scalar",
-                                                    "engine",
-                                                    "machine.name",
-                                                    "machine.clock_mhz",
-                                                    "machine.budget.goal_fps"};
+constexpr std::array<std::string_view, 11> settings{"scene",           "columns", "rows",   "window", "method",
+                                                    "max_level",       "leaf",    "scalar", "engine", "machine.name",
+                                                    "machine.settings"};
 
 /// What is asked most of a run comes first.
 constexpr std::array<std::string_view, 12> results{"machine",        "rays",  "cases",         "subdivisions",
@@ -50,8 +41,12 @@ std::size_t rank(const std::string& path) {
   return setting < settings.size() ? setting : settings.size() + place_among(results, path);
 }
 
-/// What cannot but differ, or says nothing about the result.
-bool is_aside(const std::string& path) { return path == "command" || path == "pyrasim"; }
+/// What cannot but differ, says nothing about the result, or repeats a setting.
+bool is_aside(const std::string& path) {
+  constexpr std::array<std::string_view, 5> aside{"command", "pyrasim", "machine.settings_sha256", "machine.clock_mhz",
+                                                  "machine.budget.goal_fps"};
+  return std::find(aside.begin(), aside.end(), path) != aside.end();
+}
 
 }  // namespace
 

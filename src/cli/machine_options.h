@@ -16,10 +16,10 @@ struct MachineOptions {
   std::vector<std::string> overrides;  ///< "path=value"
   hw::Cycle max_cycles = hw::never;
 
-  void add(const Command& command) {
+  void add(const Command& command, const std::string& values = "=VALUE",
+           const std::string& set = "a setting over the machine file's, as in intersection.units=4; repeatable") {
     command.add_text("--machine", file, "machine file (JSON); the default machine without it").type_name("FILE");
-    command.add_texts("--set", overrides, "a setting over the machine file's, as in intersection.units=4; repeatable")
-        .type_name("PATH=VALUE");
+    command.add_texts("--set", overrides, set).type_name("PATH" + values);
     command
         .add_integer("--max-cycles", max_cycles, 1, hw::never - 1, "give up on a frame that takes longer: exit code 4")
         .type_name("N");

@@ -94,7 +94,7 @@ std::string simulation_table(const std::string& scene, const Camera& camera, int
   const hw::MachineSpec& spec = processor.spec();
   const bool met = processor.cycles() <= spec.budget();
   std::string text =
-      fmt::format("{}, MAX_LEVEL {}, on machine {}\n\n", frame_title(scene, camera), max_level, excerpt(spec.name));
+      fmt::format("{}, MAX_LEVEL {}, on machine {}\n\n", frame_title(scene, camera), max_level, excerpt(spec.title()));
   text += frame_lines(processor.statistics(), max_level);
   text += unit_lines(processor);
   text += fmt::format("\ncycles        {:>12}   {:.1f} frames per second at {} MHz\n", grouped(processor.cycles()),

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hw_model/machine_settings.h"
 #include "hw_model/report/bottleneck.h"
 #include "image/image_hash.h"
 #include "version.h"
@@ -78,6 +79,8 @@ ordered_json machine_document(const hw::Processor& processor) {
   ordered_json elaborated = ordered_json::array();
   for (const hw::Stage* stage : processor.stages()) elaborated.push_back(stage->basename());
   return {{"name", spec.name},
+          {"settings", hw::settings_document(spec)},
+          {"settings_sha256", hw::settings_sha256(spec)},
           {"clock_mhz", spec.clock_mhz},
           {"cycles", processor.cycles()},
           {"frames_per_second", frames_per_second(processor)},

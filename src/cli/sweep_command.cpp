@@ -1,104 +1,198 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <systemc>
 
 #include "cli/command.h"
+#include "cli/csv.h"
+#include "cli/finished_rows.h"
 #include "cli/interrupt.h"
-#include "cli/machine_options.h"
 #include "cli/output_plan.h"
 #include "cli/row_output.h"
 #include "cli/run_apart.h"
 #include "cli/statistics_document.h"
+#include "cli/sweep_plan.h"
 #include "error.h"
+#include "files/sha256.h"
+#include "hw_model/machine_settings.h"
 #include "hw_model/report/deadlock.h"
 #include "image/image_error.h"
+#include "json/json_file.h"
 #include "render/picture_memory.h"
 #include "scene/load_scene.h"
+#include "text/printable.h"
+#include "version.h"
 
 namespace pyrasim::cli {
 namespace {
 
+constexpr std::string_view csv_header =
+    "pyrasim,scene,scene_sha256,machine,settings_sha256,set,columns,rows,max_level,leaf,reference,rays_primary,"
+    "rays_subdivision,rays_total,subdivisions,rmse,max_error,cycles,frames_per_second,reference_rays\n";
+constexpr std::size_t key_fields = 11;  ///< up to reference: what was run
+
+struct SweptScene {
+  std::string name;
+  Scene scene;
+  std::string sha256;  ///< of its files' bytes; empty where one cannot be read again, as a pipe
+};
+
 /// One row of the sweep.
 struct Point {
+  const SweptScene* scene;
+  const SweptMachine* machine;
   Screen screen;
   int max_level;
   Leaf leaf;
 
   const char* leaf_name() const { return leaf == Leaf::mean ? "mean" : "drop"; }
   std::string size() const { return fmt::format("{}x{}", screen.columns, screen.rows); }
-  std::string name() const { return fmt::format("{} pixels, MAX_LEVEL {}, leaf {}", size(), max_level, leaf_name()); }
+  bool same_picture(const Point& other) const {
+    return scene == other.scene && screen.columns == other.screen.columns && screen.rows == other.screen.rows;
+  }
 };
 
-/// What the points of one screen share.
+/// What the points of one scene on one screen share.
 struct Shared {
   Scene scene;
   std::shared_ptr<const Tracer> tracer;
-  Rendering truth;  ///< by the reference
+  std::optional<Rendering> truth;  ///< by the reference; none where nothing is measured
 };
 
 struct SweepCommand {
-  std::string scene;
+  std::vector<std::string> scenes;
   std::string levels = "0:5";
   std::string sizes;
   std::string leaves = "mean";
   std::string reference = "grid:32";
   MachineOptions machine;
   std::string csv;
+  std::string resumed;
 
   void run() const {
-    const Method peer = parse_method(reference);
-    const Scene loaded = load_scene(scene);
-    print_warnings(loaded);
-    const std::vector<Point> points = plan(loaded.camera.screen);
-    const hw::MachineSpec spec = machine.load();
-    std::vector<std::string> names;
-    for (const Point& point : points) {
-      check_addressable(point.screen, point.max_level);
-      check_picture_fits({0, 0, point.screen.columns, point.screen.rows});
-      hw::check_machine_holds(spec, point.max_level, point.screen.columns);
-      names.push_back(point.name());
-    }
+    const std::optional<Method> peer = reference == "none" ? std::nullopt : std::optional(parse_method(reference));
+    if (!csv.empty() && !resumed.empty())
+      throw UsageError("sweep: either --csv, or --resume, which is written likewise");
+    if (resumed == "-") throw UsageError("--resume -: a file that can be read and written is allowed");
     OutputPlan outputs;
-    outputs.reads("SCENE", loaded.files);
+    std::vector<SweptScene> loaded;
+    loaded.reserve(scenes.size());
+    for (const std::string& name : scenes) {
+      loaded.push_back({name, load_scene(name), {}});
+      print_warnings(loaded.back().scene);
+      outputs.reads("SCENE", loaded.back().scene.files);
+      loaded.back().sha256 = sha256_of(loaded.back().scene.files);
+    }
     outputs.reads("--machine", machine.file);
     outputs.writes("--csv", csv);
-    RowOutput output(csv, outputs.table());
-    output.header(
-        "columns,rows,max_level,leaf,rays_primary,rays_subdivision,rays_total,subdivisions,rmse,max_error,cycles,"
-        "frames_per_second,reference,reference_rays\n",
-        fmt::format("{:>11} {:>5} {:>4} {:>12} {:>12} {:>10} {:>10} {:>12} {:>9}\n", "size", "level", "leaf", "rays",
-                    "subdivisions", "RMSE", "max error", "cycles", "fps"));
+    outputs.writes("--resume", resumed);
+    const MachineAxes axes(machine);
+    std::vector<Point> points = plan(loaded, axes);
+    for (const Point& point : points) check(point);
+    const FinishedRows finished =
+        resumed.empty() ? FinishedRows() : FinishedRows(resumed, std::string(csv_header), key_fields);
+    const std::size_t planned = points.size();
+    std::erase_if(points, [&](const Point& point) { return finished.holds(key(point)); });
+    if (points.empty()) {
+      outputs.table() << last_lines(peer, planned, 0);
+      return;
+    }
+    RowOutput output(resumed.empty() ? csv : resumed, outputs.table());
+    output.header(std::string(csv_header) + finished.text(), table_header(axes));
+    make_all(points, axes, peer, output);
+    output.finish(last_lines(peer, planned, points.size()));
+  }
+
+  void make_all(const std::vector<Point>& points, const MachineAxes& axes, const std::optional<Method>& peer,
+                RowOutput& output) const {
+    std::vector<std::string> names;
+    for (const Point& point : points) names.push_back(name_of(point, axes));
     std::optional<Shared> shared;
     make_rows(names, [&](std::size_t k) {
-      const Screen& screen = points[k].screen;
-      if (k == 0 || screen.columns != points[k - 1].screen.columns || screen.rows != points[k - 1].screen.rows) {
+      if (k == 0 || !points[k].same_picture(points[k - 1])) {
         shared.reset();
-        shared = prepare(loaded, screen, peer);
+        shared = prepare(points[k], peer);
       }
       const std::string counted = fmt::format("simulating {} of {}", k + 1, points.size());
       const std::string lines =
-          run_apart("its simulation", [&] { return simulate(points[k], *shared, spec, peer, progress_bar(counted)); });
+          run_apart("its simulation", [&] { return simulate(points[k], *shared, axes, progress_bar(counted)); });
       const std::size_t end = lines.find('\n') + 1;
       output.row(lines.substr(0, end), lines.substr(end));
     });
-    output.finish(fmt::format("errors: linear RGB against {}, {} rays at the last size\n", peer.name(),
-                              shared->truth.statistics.total_rays()));
   }
 
-  static Shared prepare(const Scene& loaded, const Screen& screen, const Method& peer) {
-    Shared shared{loaded, nullptr, {}};
-    shared.scene.camera.screen = screen;
+  static std::string sha256_of(const std::vector<std::string>& files) {
+    std::string bytes;
+    for (const std::string& file : files) {
+      if (!std::filesystem::is_regular_file(file)) return {};
+      bytes += sha256(read_text(file));
+    }
+    return sha256(bytes);
+  }
+
+  std::vector<Point> plan(const std::vector<SweptScene>& loaded, const MachineAxes& axes) const {
+    std::vector<Point> points;
+    for (const SweptScene& scene : loaded) {
+      for (const Screen& screen : parse_sizes(sizes, scene.scene.camera.screen)) {
+        for (const SweptMachine& swept : axes.machines) {
+          for (const Leaf leaf : parse_leaves(leaves)) {
+            for (const int level : parse_levels(levels)) points.push_back({&scene, &swept, screen, level, leaf});
+          }
+        }
+      }
+    }
+    return points;
+  }
+
+  static void check(const Point& point) {
+    check_addressable(point.screen, point.max_level);
+    check_picture_fits({0, 0, point.screen.columns, point.screen.rows});
+    hw::check_machine_holds(point.machine->spec, point.max_level, point.screen.columns);
+  }
+
+  /// For messages.
+  std::string name_of(const Point& point, const MachineAxes& axes) const {
+    std::string name =
+        fmt::format("{} pixels, MAX_LEVEL {}, leaf {}", point.size(), point.max_level, point.leaf_name());
+    if (scenes.size() > 1) name = excerpt(point.scene->name) + ", " + name;
+    for (std::size_t k = 0; k < axes.paths.size(); ++k) {
+      name += fmt::format(", {} {}", excerpt(axes.paths[k]), excerpt(point.machine->values[k]));
+    }
+    return name;
+  }
+
+  /// The fields that say what was run.
+  std::vector<std::string> key(const Point& point) const {
+    const hw::MachineSpec& spec = point.machine->spec;
+    return {std::string(version()),
+            point.scene->name,
+            point.scene->sha256.empty() ? "unknown" : point.scene->sha256,
+            spec.name,
+            hw::settings_sha256(spec),
+            point.machine->set,
+            std::to_string(point.screen.columns),
+            std::to_string(point.screen.rows),
+            std::to_string(point.max_level),
+            point.leaf_name(),
+            reference};
+  }
+
+  static Shared prepare(const Point& point, const std::optional<Method>& peer) {
+    Shared shared{point.scene->scene, nullptr, {}};
+    shared.scene.camera.screen = point.screen;
     shared.tracer = make_tracer(shared.scene);
-    shared.truth = render(shared.scene, peer, {}, 0, progress_bar("reference"));
+    if (peer) shared.truth = render(shared.scene, *peer, {}, 0, progress_bar("reference"));
     stop_if_interrupted();
     return shared;
   }
 
   /// The point's lines: as CSV, and for people.
-  std::string simulate(const Point& point, const Shared& shared, const hw::MachineSpec& spec, const Method& peer,
+  std::string simulate(const Point& point, const Shared& shared, const MachineAxes& axes,
                        const Progress& progress) const {
     hw::SimulationOptions options;
     options.max_level = point.max_level;
@@ -106,52 +200,72 @@ struct SweepCommand {
     options.tracer = shared.tracer;
     options.max_cycles = machine.max_cycles;
     options.progress = progress;
-    hw::Processor processor("processor", shared.scene, spec, options);
+    hw::Processor processor("processor", shared.scene, point.machine->spec, options);
     sc_core::sc_start();
     hw::require_finished(processor);
-    const ImageError error = image_error(processor.image(), shared.truth.image);
+    std::optional<ImageError> error;
+    if (shared.truth) error = image_error(processor.image(), shared.truth->image);
+    return csv_line(point, shared, processor, error) + table_line(point, axes, processor, error);
+  }
+
+  std::string csv_line(const Point& point, const Shared& shared, const hw::Processor& processor,
+                       const std::optional<ImageError>& error) const {
     const FrameStatistics frame = processor.statistics();
-    return fmt::format("{},{},{},{},{},{},{},{},{:.9g},{:.9g},{},{:.9g},{},{}\n", point.screen.columns,
-                       point.screen.rows, point.max_level, point.leaf_name(), frame.primary_rays(),
-                       frame.subdivision_rays_traced(), frame.total_rays(), frame.subdivisions, error.rmse,
-                       error.maximum, processor.cycles(), frames_per_second(processor), peer.name(),
-                       shared.truth.statistics.total_rays()) +
-           fmt::format("{:>11} {:>5} {:>4} {:>12} {:>12} {:>10.3e} {:>10.3e} {:>12} {:>9.1f}\n", point.size(),
-                       point.max_level, point.leaf_name(), frame.total_rays(), frame.subdivisions, error.rmse,
-                       error.maximum, processor.cycles(), frames_per_second(processor));
+    std::vector<std::string> fields = key(point);
+    for (const std::uint64_t count :
+         {frame.primary_rays(), frame.subdivision_rays_traced(), frame.total_rays(), frame.subdivisions}) {
+      fields.push_back(std::to_string(count));
+    }
+    fields.push_back(error ? fmt::format("{:.9g}", error->rmse) : "");
+    fields.push_back(error ? fmt::format("{:.9g}", error->maximum) : "");
+    fields.push_back(std::to_string(processor.cycles()));
+    fields.push_back(fmt::format("{:.9g}", frames_per_second(processor)));
+    fields.push_back(shared.truth ? std::to_string(shared.truth->statistics.total_rays()) : "");
+    return csv_row(fields);
   }
 
-  std::vector<Point> plan(const Screen& screen) const {
-    std::vector<Point> points;
-    for (const std::string& size : split(sizes, ',')) {
-      Screen asked = screen;
-      if (!sizes.empty()) {
-        const auto [columns, rows] = parse_size(size);
-        asked = resized(screen, columns, rows);
-      }
-      for (const std::string& leaf : split(leaves, ',')) {
-        if (leaf != "mean" && leaf != "drop") throw UsageError("--leaf " + leaf + ": mean and drop are allowed");
-        for (const int level : parse_levels())
-          points.push_back({asked, level, leaf == "mean" ? Leaf::mean : Leaf::drop});
-      }
-    }
-    return points;
+  // What varies over the rows has a column: scenes and settings only where there are several.
+  std::size_t scene_width() const {
+    std::size_t width = 5;
+    for (const std::string& name : scenes) width = std::max(width, excerpt(name).size());
+    return width;
+  }
+  static std::size_t axis_width(const MachineAxes& axes, std::size_t axis) {
+    std::size_t width = excerpt(axes.paths[axis]).size();
+    for (const SweptMachine& swept : axes.machines) width = std::max(width, excerpt(swept.values[axis]).size());
+    return width;
   }
 
-  /// "0:5" or "0,2,3".
-  std::vector<int> parse_levels() const {
-    std::vector<int> list;
-    const std::size_t colon = levels.find(':');
-    if (colon == std::string::npos) {
-      for (const std::string& level : split(levels, ',')) {
-        list.push_back(parse_number(level, 0, max_level_limit, "--max-level"));
-      }
-      return list;
+  std::string table_header(const MachineAxes& axes) const {
+    std::string text = scenes.size() > 1 ? fmt::format("{:<{}} ", "scene", scene_width()) : "";
+    text += fmt::format("{:>11} {:>5} {:>4}", "size", "level", "leaf");
+    for (std::size_t k = 0; k < axes.paths.size(); ++k) {
+      text += fmt::format(" {:>{}}", excerpt(axes.paths[k]), axis_width(axes, k));
     }
-    const int first = parse_number(levels.substr(0, colon), 0, max_level_limit, "--max-level");
-    const int last = parse_number(levels.substr(colon + 1), first, max_level_limit, "--max-level");
-    for (int level = first; level <= last; ++level) list.push_back(level);
-    return list;
+    return text + fmt::format(" {:>12} {:>12} {:>10} {:>10} {:>12} {:>9}\n", "rays", "subdivisions", "RMSE",
+                              "max error", "cycles", "fps");
+  }
+
+  std::string table_line(const Point& point, const MachineAxes& axes, const hw::Processor& processor,
+                         const std::optional<ImageError>& error) const {
+    std::string text = scenes.size() > 1 ? fmt::format("{:<{}} ", excerpt(point.scene->name), scene_width()) : "";
+    text += fmt::format("{:>11} {:>5} {:>4}", point.size(), point.max_level, point.leaf_name());
+    for (std::size_t k = 0; k < axes.paths.size(); ++k) {
+      text += fmt::format(" {:>{}}", excerpt(point.machine->values[k]), axis_width(axes, k));
+    }
+    const FrameStatistics frame = processor.statistics();
+    text += fmt::format(" {:>12} {:>12}", frame.total_rays(), frame.subdivisions);
+    text += error ? fmt::format(" {:>10.3e} {:>10.3e}", error->rmse, error->maximum)
+                  : fmt::format(" {:>10} {:>10}", "-", "-");
+    return text + fmt::format(" {:>12} {:>9.1f}\n", processor.cycles(), frames_per_second(processor));
+  }
+
+  std::string last_lines(const std::optional<Method>& peer, std::size_t planned, std::size_t made) const {
+    std::string text = peer ? fmt::format("errors: linear RGB against {}\n", peer->name()) : "";
+    if (!resumed.empty()) {
+      text += fmt::format("{} of {} rows were in {}\n", planned - made, planned, one_line(resumed));
+    }
+    return text;
   }
 };
 
@@ -161,18 +275,24 @@ void add_sweep_command(const Command& program) {
   auto options = std::make_shared<SweepCommand>();
   const Command command = program.add_command(
       "sweep",
-      "Simulate every combination of level, size and leaf, and measure each against a reference; a row is written as "
-      "soon as it is done.",
+      "Simulate every combination of scene, size, setting, level and leaf, and measure each against a reference; a row "
+      "is written as soon as it is done.",
       [options] { options->run(); });
-  command.add_text("SCENE", options->scene, "scene file (JSON)").required();
+  command.add_arguments("SCENE", options->scenes, "scene files (JSON)").required();
   command.add_text("--max-level", options->levels, "levels").type_name("FIRST:LAST|L,L,...").show_default();
   command.add_text("--size", options->sizes, "screens; the scene's without it").type_name("COLUMNSxROWS,...");
   command.add_text("--leaf", options->leaves, "mean, drop or both").type_name("mean,drop").show_default();
-  command.add_text("--reference", options->reference, "what errors are measured against")
-      .type_name("METHOD")
+  command.add_text("--reference", options->reference, "what errors are measured against, or none")
+      .type_name("METHOD|none")
       .show_default();
-  options->machine.add(command);
+  options->machine.add(command, "=VALUE,...",
+                       "a setting over the machine file's, or each of several values, as in intersection.units=1,2,4; "
+                       "repeatable");
   command.add_text("--csv", options->csv, "the rows as CSV; - for stdout").type_name("FILE|-");
+  command
+      .add_text("--resume", options->resumed,
+                "the rows as CSV; those that the file holds already are kept, and not made again")
+      .type_name("FILE");
 }
 
 }  // namespace pyrasim::cli

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 #if defined(__AVX__)
 #include <immintrin.h>
@@ -13,15 +14,20 @@
 
 namespace pyrasim {
 
+/// A depth that is compared with those of boxes, in the processor's own numbers: rounding it to them changes no
+/// comparison, and counts as no operation of the datapath.
+template <class Scalar>
+using DepthLimit = std::conditional_t<std::is_floating_point_v<Scalar>, Scalar, double>;
+
 /// Bit k: the ray meets box k of the node no deeper than `depth_limit`.
 template <class Scalar>
-unsigned met_boxes(const SeenBoxes<Scalar>& boxes, const ViewRay<Scalar>& ray, Scalar depth_limit) {
+unsigned met_boxes(const SeenBoxes<Scalar>& boxes, const ViewRay<Scalar>& ray, DepthLimit<Scalar> depth_limit) {
   unsigned met = 0;
   for (std::size_t k = 0; k < node_width; ++k) {
     const auto holds = [](bool comparison) { return comparison ? 1U : 0U; };
-    met |= (holds(boxes.depth[k] <= depth_limit) & holds(boxes.lower_y[k] <= ray.slope_y) &
-            holds(boxes.upper_y[k] >= ray.slope_y) & holds(boxes.lower_z[k] <= ray.slope_z) &
-            holds(boxes.upper_z[k] >= ray.slope_z))
+    met |= (holds(static_cast<DepthLimit<Scalar>>(boxes.depth[k]) <= depth_limit) &
+            holds(boxes.lower_y[k] <= ray.slope_y) & holds(boxes.upper_y[k] >= ray.slope_y) &
+            holds(boxes.lower_z[k] <= ray.slope_z) & holds(boxes.upper_z[k] >= ray.slope_z))
            << k;
   }
   return met;

@@ -7,6 +7,7 @@
 
 #include "numeric/number_range.h"
 #include "trace/observer_frame.h"
+#include "trace/relative_error.h"
 #include "trace/wide_hierarchy.h"
 
 namespace pyrasim {
@@ -43,6 +44,11 @@ class Preparation {
 
   PreparedScene<double> take() {
     scale();
+    for (auto& plane : prepared_.planes) {
+      const auto [relative, squared_length] = relative_error(plane, prepared_.rounding);
+      plane.relative_error = relative;
+      plane.squared_length = squared_length;
+    }
     build_wide_hierarchy(prepared_, screen_, format_);
     return std::move(prepared_);
   }
@@ -118,6 +124,7 @@ class Preparation {
   /// Multiplies all lengths by the power of two that brings the largest to the exponent that suits the format: a scene
   /// 2^k times as large is the same to the datapath, bit for bit, and its squares neither over- nor underflow.
   void scale() {
+    prepared_.rounding = rounding_units_of(format_);
     if (!(largest_ > 0)) return;
     const int exponent = largest_exponent(format_) - std::ilogb(largest_);
     const auto scaled = [exponent](double length) { return std::ldexp(length, exponent); };
@@ -134,6 +141,7 @@ class Preparation {
       }
     }
     prepared_.exponent = exponent;
+    prepared_.rounding.place = std::min(scaled(largest_component(frame_.position())), 0x1p500);
   }
 
   ObserverFrame frame_;

@@ -9,6 +9,7 @@
 #include "numeric/number_format.h"
 #include "scene/scene.h"
 #include "trace/bounding_box.h"
+#include "trace/rounding_units.h"
 #include "trace/surface.h"
 
 namespace pyrasim {
@@ -46,6 +47,7 @@ struct PreparedScene {
   };
   struct Leaf {
     std::uint32_t first_sphere, spheres, first_triangle, triangles;
+    double relative_error;  ///< the largest of its surfaces', relative_error.h
   };
 
   std::vector<Node> nodes;
@@ -60,6 +62,7 @@ struct PreparedScene {
   Scalar ambient{1};
   Vector<Scalar> towards_light{0, 0, 0};  ///< of length 1
   int exponent = 0;                       ///< lengths are the scene's times 2^exponent
+  RoundingUnits rounding;                 ///< of the format
 };
 
 /// The scene for a datapath of `format`, not yet rounded to it.

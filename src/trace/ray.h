@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-
 #include "numeric/scalar.h"
 
 namespace pyrasim {
@@ -19,18 +17,6 @@ struct ViewRay {
     const Scalar inverse_x = Scalar(1) / v.x;
     slope_y = v.y * inverse_x;
     slope_z = v.z * inverse_x;
-  }
-};
-
-/// The nearest hit so far. `order` as in SurfaceIdentity.
-template <class Scalar>
-struct Nearest {
-  Scalar t;
-  std::uint32_t order;
-
-  /// Decision D7: t > 0, the nearest wins, equal distances go to the first in the scene.
-  bool improved_by(Scalar candidate, std::uint32_t candidate_order) const {
-    return candidate > Scalar(0) && (candidate < t || (candidate == t && candidate_order < order));
   }
 };
 

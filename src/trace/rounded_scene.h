@@ -26,7 +26,8 @@ FlatShading<Scalar> rounded(const FlatShading<double>& shading) {
 
 template <class Scalar>
 PlaneSurface<Scalar> rounded(const PlaneSurface<double>& plane) {
-  return {static_cast<Scalar>(plane.offset), plane.identity, rounded<Scalar>(plane.shading)};
+  return {static_cast<Scalar>(plane.offset), plane.identity, rounded<Scalar>(plane.shading), plane.relative_error,
+          plane.squared_length};
 }
 
 template <class Scalar>
@@ -35,6 +36,34 @@ TriangleSurface<Scalar> rounded(const TriangleSurface<double>& triangle) {
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       result.vertices[k][axis] = static_cast<Scalar>(triangle.vertices[k][axis]);
+    }
+  }
+  return result;
+}
+
+/// What distance_range() asks of a surface, exactly.
+template <class Scalar>
+Vector<double> in_double(const Vector<Scalar>& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+template <class Scalar>
+SphereSurface<double> in_double(const SphereSurface<Scalar>& sphere) {
+  return {in_double(sphere.center), static_cast<double>(sphere.radius_squared), static_cast<double>(sphere.power),
+          static_cast<double>(sphere.radius), sphere.identity};
+}
+
+template <class Scalar>
+PlaneSurface<double> in_double(const PlaneSurface<Scalar>& plane) {
+  return {static_cast<double>(plane.offset), plane.identity, {in_double(plane.shading.normal), 0, 0}, 0, 0};
+}
+
+template <class Scalar>
+TriangleSurface<double> in_double(const TriangleSurface<Scalar>& triangle) {
+  TriangleSurface<double> result{{}, triangle.identity};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      result.vertices[k][axis] = static_cast<double>(triangle.vertices[k][axis]);
     }
   }
   return result;
@@ -65,7 +94,8 @@ PreparedScene<Scalar> rounded(PreparedScene<double> scene) {
       result.nodes.push_back({rounded<Scalar>(node.boxes), node.child, node.children});
     }
     for (const auto& leaf : scene.leaves) {
-      result.leaves.push_back({leaf.first_sphere, leaf.spheres, leaf.first_triangle, leaf.triangles});
+      result.leaves.push_back(
+          {leaf.first_sphere, leaf.spheres, leaf.first_triangle, leaf.triangles, leaf.relative_error});
     }
     result.root = scene.root;
     result.everything = scene.everything;
@@ -77,6 +107,7 @@ PreparedScene<Scalar> rounded(PreparedScene<double> scene) {
     result.ambient = static_cast<Scalar>(scene.ambient);
     result.towards_light = rounded<Scalar>(scene.towards_light);
     result.exponent = scene.exponent;
+    result.rounding = scene.rounding;
     return result;
   }
 }

@@ -31,12 +31,9 @@ class SceneTracer final : public Tracer {
 template <class Scalar>
 Sample SceneTracer<Scalar>::trace(const glm::dvec3& view_vector, Work& work) const {
   const auto direction = to_scalar<Scalar>(view_vector);
-  Walk<Scalar> walk(scene_, direction, work);
-  walk.test_planes();
   // Boxes are bounds of slopes: of use to rays that run forward, as all rays through a screen do.
   const bool forward = direction.x >= std::numeric_limits<Scalar>::min();
-  walk.traverse(forward ? scene_.root : scene_.everything);
-  return walk.shade();
+  return nearest_hit(scene_, direction, forward ? scene_.root : scene_.everything, work);
 }
 
 extern template class SceneTracer<double>;

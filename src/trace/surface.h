@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "numeric/scalar.h"
@@ -58,6 +59,8 @@ struct PlaneSurface {
   Scalar offset;
   SurfaceIdentity identity;
   FlatShading<Scalar> shading;
+  double relative_error = std::numeric_limits<double>::infinity();  ///< see relative_error.h
+  double squared_length = 0;  ///< along a ray, up to which the relative error holds
 };
 
 template <class Scalar>

@@ -15,6 +15,7 @@
 #include "trace/prepared_scene.h"
 #include "trace/ray.h"
 #include "trace/sphere.h"
+#include "trace/standing.h"
 #include "trace/triangle.h"
 
 namespace pyrasim {
@@ -24,17 +25,53 @@ Scalar flat_side(const FlatShading<Scalar>& shading, const Vector<Scalar>& direc
   return dot(shading.normal, direction) < Scalar(0) ? shading.front : shading.back;
 }
 
-/// One ray on its way through a scene, and the nearest surface that it met so far.
+/// What the ray sees of a surface that it met.
+///
+/// Lambert's cosine law on the side that the ray meets: ambient + (1 - ambient) max(0, -n . l); a cosine beyond 1, or
+/// none at all, is a narrow format's mistake.
 template <class Scalar>
+[[gnu::always_inline]] inline Sample shade_sphere(const PreparedScene<Scalar>& scene, const Vector<Scalar>& direction,
+                                                  const Hit<Scalar>& hit) {
+  const SphereSurface<Scalar>& sphere = scene.spheres[hit.index];
+  if (!scene.lit) return {sphere.identity.object, 1.0};
+  const Vector<Scalar> outward = direction * hit.t - sphere.center;
+  const Scalar side = sphere.power < Scalar(0) ? -sphere.radius : sphere.radius;
+  const Scalar cosine = dot(outward, scene.towards_light) / side;
+  const Scalar lit = std::min(std::max(Scalar(0), cosine), Scalar(1));
+  return {sphere.identity.object, static_cast<double>(scene.ambient + (Scalar(1) - scene.ambient) * lit)};
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline Sample shade(const PreparedScene<Scalar>& scene, const Vector<Scalar>& direction,
+                                           const Hit<Scalar>& hit) {
+  switch (hit.kind) {
+    case SurfaceKind::plane: {
+      if (hit.index == no_object) return {};
+      const auto& plane = scene.planes[hit.index];
+      return {plane.identity.object, static_cast<double>(flat_side(plane.shading, direction))};
+    }
+    case SurfaceKind::triangle:
+      return {scene.triangles[hit.index].identity.object,
+              static_cast<double>(flat_side(scene.triangle_shading[hit.index], direction))};
+    default:
+      return shade_sphere(scene, direction, hit);
+  }
+}
+
+/// One ray on its way through a scene. What it meets enters `Standing`, one of standing.h.
+template <class Scalar, class Standing>
 class Walk {
  public:
-  Walk(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector, Work& work)
-      : scene_(scene), ray_(view_vector), work_(work) {}
+  Walk(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector, Work& work, Standing& standing)
+      : scene_(scene), ray_(view_vector), work_(work), standing_(standing) {}
 
   void test_planes() {
     for (std::uint32_t k = 0; k < scene_.planes.size(); ++k) {
       const auto& plane = scene_.planes[k];
-      offer(intersect_plane(plane, ray_.direction), plane.identity.order, SurfaceKind::plane, k);
+      const Scalar t = intersect_plane(plane, ray_.direction);
+      const auto depth = static_cast<double>(t);
+      const double squared_length = plane.squared_length * static_cast<double>(ray_.inverse_length_squared);
+      offer({t, SurfaceKind::plane, k}, depth * depth <= squared_length ? plane.relative_error : infinity);
     }
     count(SurfaceKind::plane, scene_.planes.size());
   }
@@ -48,6 +85,9 @@ class Walk {
     };
     std::array<Pending, max_hierarchy_depth> stack;
     Pending* top = stack.data();
+    const auto begins = [](const Pending& pending, std::size_t child) {
+      return static_cast<DepthLimit<Scalar>>(pending.node->boxes.depth[child]);
+    };
     Pending here{nullptr, 0};
     for (;;) {
       if (current >= 0) {
@@ -59,7 +99,7 @@ class Walk {
         test_leaf(scene_.leaves[static_cast<std::size_t>(~static_cast<std::int64_t>(current))]);
       }
       std::size_t child = 0;
-      while (here.met == 0 || here.node->boxes.depth[child = lowest_bit(here.met)] > depth_limit_) {
+      while (here.met == 0 || begins(here, child = lowest_bit(here.met)) > depth_limit_) {
         if (top == stack.data()) return;
         here = *--top;
       }
@@ -68,71 +108,76 @@ class Walk {
     }
   }
 
-  Sample shade() const {
-    switch (kind_) {
-      case SurfaceKind::plane: {
-        if (index_ == no_object) return {};
-        const auto& plane = scene_.planes[index_];
-        return {plane.identity.object, static_cast<double>(flat_side(plane.shading, ray_.direction))};
-      }
-      case SurfaceKind::triangle:
-        return {scene_.triangles[index_].identity.object,
-                static_cast<double>(flat_side(scene_.triangle_shading[index_], ray_.direction))};
-      default:
-        return shade_sphere(scene_.spheres[index_]);
-    }
-  }
-
  private:
   using Node = typename PreparedScene<Scalar>::Node;
   using Leaf = typename PreparedScene<Scalar>::Leaf;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   static std::size_t lowest_bit(unsigned bits) { return static_cast<std::size_t>(std::countr_zero(bits)); }
 
   [[gnu::always_inline]] void test_leaf(const Leaf& leaf) {
     for (std::uint32_t k = leaf.first_sphere; k < leaf.first_sphere + leaf.spheres; ++k) {
-      const auto& sphere = scene_.spheres[k];
-      offer(intersect_sphere(sphere, ray_.direction, ray_.inverse_length_squared), sphere.identity.order,
-            SurfaceKind::sphere, k);
+      const Scalar t = intersect_sphere(scene_.spheres[k], ray_.direction, ray_.inverse_length_squared);
+      offer({t, SurfaceKind::sphere, k}, leaf.relative_error);
     }
     count(SurfaceKind::sphere, leaf.spheres);
     if (leaf.triangles == 0) return;
     const TriangleShear<Scalar> shear(ray_.direction);
     for (std::uint32_t k = leaf.first_triangle; k < leaf.first_triangle + leaf.triangles; ++k) {
-      const auto& triangle = scene_.triangles[k];
-      offer(intersect_triangle(triangle, shear), triangle.identity.order, SurfaceKind::triangle, k);
+      offer({intersect_triangle(scene_.triangles[k], shear), SurfaceKind::triangle, k}, leaf.relative_error);
     }
     count(SurfaceKind::triangle, leaf.triangles);
   }
 
-  void offer(Scalar t, std::uint32_t order, SurfaceKind kind, std::uint32_t index) {
-    if (!nearest_.improved_by(t, order)) return;
-    nearest_ = {t, order};
-    depth_limit_ = t * ray_.direction.x;
-    kind_ = kind;
-    index_ = index;
+  void offer(const Hit<Scalar>& hit, double relative_error) {
+    if (!(hit.t > Scalar(0)) || !standing_.enter(hit, relative_error)) return;
+    depth_limit_ = static_cast<DepthLimit<Scalar>>(standing_.highest() * static_cast<double>(ray_.direction.x));
   }
 
   void count(SurfaceKind kind, std::uint64_t tests) { work_.surface_tests[static_cast<std::size_t>(kind)] += tests; }
 
-  /// Lambert's cosine law on the side that the ray meets: ambient + (1 - ambient) max(0, -n . l); a cosine beyond 1, or
-  /// none at all, is a narrow format's mistake.
-  Sample shade_sphere(const SphereSurface<Scalar>& sphere) const {
-    if (!scene_.lit) return {sphere.identity.object, 1.0};
-    const Vector<Scalar> outward = ray_.direction * nearest_.t - sphere.center;
-    const Scalar side = sphere.power < Scalar(0) ? -sphere.radius : sphere.radius;
-    const Scalar cosine = dot(outward, scene_.towards_light) / side;
-    const Scalar lit = std::min(std::max(Scalar(0), cosine), Scalar(1));
-    return {sphere.identity.object, static_cast<double>(scene_.ambient + (Scalar(1) - scene_.ambient) * lit)};
-  }
-
   const PreparedScene<Scalar>& scene_;
   const ViewRay<Scalar> ray_;
   Work& work_;
-  Nearest<Scalar> nearest_{std::numeric_limits<Scalar>::infinity(), no_object};
-  Scalar depth_limit_ = std::numeric_limits<Scalar>::infinity();  ///< boxes that begin deeper hold nothing nearer
-  SurfaceKind kind_ = SurfaceKind::plane;
-  std::uint32_t index_ = no_object;  ///< among the surfaces of its kind; no_object without a hit
+  Standing& standing_;
+  DepthLimit<Scalar> depth_limit_ = std::numeric_limits<DepthLimit<Scalar>>::infinity();  ///< boxes beyond are behind
 };
+
+/// What the ray sees among the planes, and the bounded surfaces below `root` (as Node::child). `work` becomes `before`
+/// and the tests made.
+template <class Scalar>
+Sample nearest_of_close_hits(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector, std::int32_t root,
+                             const Work& before, Work& work) {
+  work = before;
+  CloseStanding<Scalar> standing(scene, view_vector);
+  Walk<Scalar, CloseStanding<Scalar>> walk(scene, view_vector, work, standing);
+  do {
+    walk.test_planes();
+    walk.traverse(root);
+  } while (standing.repeats());
+  return shade(scene, view_vector, standing.leader());
+}
+
+extern template Sample nearest_of_close_hits(const PreparedScene<double>&, const Vector<double>&, std::int32_t,
+                                             const Work&, Work&);
+extern template Sample nearest_of_close_hits(const PreparedScene<float>&, const Vector<float>&, std::int32_t,
+                                             const Work&, Work&);
+
+/// The same; adds the tests made to `work`. Nearly all rays of nearly all scenes meet surfaces that lie clearly apart;
+/// whoever does not starts again. That pays where t's error is small and the processor's own numbers are fast.
+template <class Scalar>
+[[gnu::always_inline]] inline Sample nearest_hit(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector,
+                                                 std::int32_t root, Work& work) {
+  const Work before = work;
+  if constexpr (std::is_floating_point_v<Scalar>) {
+    ClearStanding<Scalar> standing;
+    Walk<Scalar, ClearStanding<Scalar>> walk(scene, view_vector, work, standing);
+    walk.test_planes();
+    walk.traverse(root);
+    if (!standing.undecided()) [[likely]]
+      return shade(scene, view_vector, standing.leader());
+  }
+  return nearest_of_close_hits(scene, view_vector, root, before, work);
+}
 
 }  // namespace pyrasim

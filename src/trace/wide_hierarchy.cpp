@@ -6,6 +6,7 @@
 
 #include "numeric/number_range.h"
 #include "trace/hierarchy_builder.h"
+#include "trace/relative_error.h"
 #include "trace/seen_bounds.h"
 
 namespace pyrasim {
@@ -18,13 +19,14 @@ namespace {
 /// 3/2, and t, a mean of its vertices, by 3. In a narrow format the boxes so become wide, and more surfaces are tested.
 /// There is an exception: where products of coordinates fall below the smallest number of a narrow
 /// format, a test has nothing left to decide by, and a triangle may count as hit by rays far from it; whether it is
-/// asked then depends on the boxes.
+/// asked then depends on the boxes. What preparation may have moved a surface by is added, so that
+/// a box never begins deeper than the range in which an exact hit may lie (distance_range.h).
 constexpr double margin_roundings = 8;
 
 /// How far from a surface a ray may run that the datapath counts as a hit.
 class Margin {
  public:
-  Margin(const NumberFormat& format, const Screen& screen) {
+  Margin(const NumberFormat& format, const Screen& screen, const RoundingUnits& rounding) : rounding_(rounding) {
     const double resolution = std::ldexp(1.0, -finest_fraction_bits(format));
     if (format.kind == NumberKind::fixed) {
       // Errors are absolute there; the longest view vector multiplies them twice.
@@ -37,11 +39,14 @@ class Margin {
     absolute_ += square_root_margin * std::sqrt(resolution);
   }
 
-  double of(double largest_coordinate) const { return relative_ * largest_coordinate + absolute_; }
+  double of(double largest_coordinate) const {
+    return relative_ * largest_coordinate + absolute_ + rounding_.written(largest_coordinate);
+  }
 
  private:
   /// A squared distance is lost with the smallest number; a distance, with its root.
   static constexpr double square_root_margin = 2;
+  RoundingUnits rounding_;
   double relative_ = 0;
   double absolute_ = 0;
 };
@@ -69,8 +74,12 @@ BoundingBox bounds_of(const TriangleSurface<double>& triangle, const Margin& mar
 class Widening {
  public:
   Widening(PreparedScene<double>& scene, const Screen& screen, const Margin& margin) : scene_(scene) {
-    for (const auto& sphere : scene.spheres) bounds_.push_back(bounds_of(sphere, margin));
-    for (const auto& triangle : scene.triangles) bounds_.push_back(bounds_of(triangle, margin));
+    const auto add = [&](const auto& surface) {
+      bounds_.push_back(bounds_of(surface, margin));
+      errors_.push_back(relative_error(surface, scene.rounding));
+    };
+    for (const auto& sphere : scene.spheres) add(sphere);
+    for (const auto& triangle : scene.triangles) add(triangle);
     std::vector<BoundingBox> visible;
     visible.reserve(bounds_.size());
     for (const BoundingBox& bounds : bounds_) visible.push_back(on_screen(bounds, screen));
@@ -83,7 +92,9 @@ class Widening {
   void build() {
     const auto spheres = static_cast<std::uint32_t>(spheres_.size());
     const auto triangles = static_cast<std::uint32_t>(triangles_.size());
-    scene_.everything = scene_.root = add_leaf({0, spheres, 0, triangles});
+    double error = 0;
+    for (const double of_surface : errors_) error = std::max(error, of_surface);
+    scene_.everything = scene_.root = add_leaf({0, spheres, 0, triangles, error});
     if (!hierarchy_.nodes.empty()) scene_.root = convert(hierarchy_.nodes.front()).reference;
   }
 
@@ -140,11 +151,12 @@ class Widening {
 
   Converted convert_leaf(const HierarchyNode& node) {
     Leaf leaf{static_cast<std::uint32_t>(scene_.spheres.size()), 0, static_cast<std::uint32_t>(scene_.triangles.size()),
-              0};
+              0, 0};
     BoundingBox bounds;
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
       const std::uint32_t reference = hierarchy_.references[k];
       bounds.include(bounds_[reference]);
+      leaf.relative_error = std::max(leaf.relative_error, errors_[reference]);
       if (reference < spheres_.size()) {
         scene_.spheres.push_back(spheres_[reference]);
         ++leaf.spheres;
@@ -164,6 +176,7 @@ class Widening {
 
   PreparedScene<double>& scene_;
   std::vector<BoundingBox> bounds_;  // in seen coordinates; spheres, then triangles, as the hierarchy's references
+  std::vector<double> errors_;       // relative, of the same
   Hierarchy hierarchy_;
   std::vector<SphereSurface<double>> spheres_;  // in the order of the scene
   std::vector<TriangleSurface<double>> triangles_;
@@ -173,7 +186,7 @@ class Widening {
 }  // namespace
 
 void build_wide_hierarchy(PreparedScene<double>& scene, const Screen& screen, const NumberFormat& format) {
-  Widening(scene, screen, Margin(format, screen)).build();
+  Widening(scene, screen, Margin(format, screen, scene.rounding)).build();
 }
 
 }  // namespace pyrasim

@@ -52,7 +52,7 @@ class CompareRuns(tool.EndToEnd):
         document = tool.read_json(self.folder / "a.json")
         for path in ("machine.cycles", "rays.by_level.2", "cases.by_level.1.edge", "units.pixel_scan.busy",
                      "units.intersection_unit_3.starved", "fifos.tree_accumulator_to_frame_buffer.max", "scene",
-                     "work.box_tests", "image.sha256", "pixel_latency.all.p99", "machine.clock_mhz", "subdivisions"):
+                     "work.box_tests", "image.sha256", "pixel_latency.all.p99", "machine.settings.clock_mhz", "subdivisions"):
             changed = json.loads(json.dumps(document))
             holder, _, key = path.rpartition(".")
             target = at(changed, holder)

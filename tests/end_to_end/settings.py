@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every setting of a machine file moves something in what simulate reports."""
 
+import hashlib
 import json
 
 import tool
@@ -22,8 +23,8 @@ STEP = 7
 SIZES = {"pyramid_classifier.corner_row": 24 + 2}
 
 
-def settings():
-    """Every setting of the schema: its path, and two of its values."""
+def schema_leaves():
+    """Every setting of the schema: its path, and what is allowed."""
     document = json.loads((SOURCE / "docs" / "schemas" / "machine.schema.json").read_text())
 
     def leaves(node, path):
@@ -33,7 +34,12 @@ def settings():
         for key, child in node.get("properties", {}).items():
             yield from leaves(child, path + [key])
 
-    for path, node in leaves(document, []):
+    yield from leaves(document, [])
+
+
+def settings():
+    """Every setting of the schema: its path, and two of its values."""
+    for path, node in schema_leaves():
         if "enum" in node:
             yield path, [json.dumps(value) for value in node["enum"][:2]]
         elif node["type"] == "string":
@@ -49,6 +55,8 @@ class Settings(tool.EndToEnd):
         sets = [word for setting in (*BESIDE.get(path, []), f"{path}={value}") for word in ("--set", setting)]
         document = self.stats("simulate", self.write("scene.json", SCENE), "--max-level", 3, *sets)
         del document["command"]
+        del document["machine"]["settings"]
+        del document["machine"]["settings_sha256"]
         for fifo in document["fifos"]:
             del fifo["depth"]
         for key in ("clock_mhz", "budget"):
@@ -78,6 +86,58 @@ class Settings(tool.EndToEnd):
             node[key] = least - 1
             self.refused(INPUT, "simulate", scene, "--machine", self.write("machine.json", file),
                          says=f"/{path.replace('.', '/')}: {least - 1} cannot hold")
+
+    def effective(self, *options):
+        machine = self.stats("simulate", self.write("scene.json", SCENE), "--size", "4x3", *options)["machine"]
+        return machine["settings"], machine["settings_sha256"]
+
+    def test_a_run_records_its_whole_machine(self):
+        """As a machine file that makes the same machine, under another name."""
+        small = tool.MACHINES / "small.json"
+        settings, digest = self.effective("--machine", small, "--set", "intersection.latency=5")
+        self.assertEqual(settings["intersection"]["latency"], 5)
+        self.assertEqual(settings["fifos"]["tree_accumulator_to_frame_buffer"], 2)  # by small.json's fifos.all
+        text = json.dumps(settings, separators=(",", ":"))
+        self.assertEqual(digest, hashlib.sha256(text.encode()).hexdigest())
+        again = self.effective("--machine", self.write("again.json", settings))
+        self.assertEqual(again, (settings, digest))
+        self.assertNotEqual(self.effective("--machine", small)[1], digest)
+
+    def test_the_schema_says_the_defaults_and_the_limits(self):
+        def flat(node, path=""):
+            if not isinstance(node, dict):
+                return {path: node}
+            prefix = path + "." if path else ""
+            return {name: value for key, child in node.items() for name, value in flat(child, prefix + key).items()}
+
+        defaults = flat(self.effective()[0])
+        nodes = dict(schema_leaves())
+        self.assertEqual(set(nodes) - {"name", "fifos.all"}, set(defaults))
+        for path, node in nodes.items():
+            with self.subTest(setting=path):
+                if "default" in node:
+                    self.assertEqual(node["default"], defaults[path])
+                if "minimum" not in node:
+                    continue
+                step = 1 if node["type"] == "integer" else 1e-4
+                for value, code in ((node["minimum"], tool.OK), (node["minimum"] - step, INPUT),
+                                    (node["maximum"], tool.OK), (node["maximum"] + 1, INPUT)):
+                    file = {}
+                    inner = file
+                    *groups, key = path.split(".")
+                    for group in groups:
+                        inner = inner.setdefault(group, {})
+                    inner[key] = value
+                    run = self.run_tool("check", self.write("machine.json", file))
+                    self.assertEqual(run.returncode, code, (value, run.stderr))
+
+    def test_the_table_counts_what_was_set(self):
+        scene = self.write("scene.json", SCENE)
+        for options, title in (([], "default"), (["--set", "intersection.units=4"], "default"),
+                               (["--set", "intersection.units=5"], "default + 1 setting"),
+                               (["--set", "fifos.all=3", "--set", "clock_mhz=10"], "default + 9 settings"),
+                               (["--machine", tool.MACHINES / "wide.json", "--set", "goal_fps=3"], "wide + 1 setting")):
+            self.assertIn(f" on machine {title}\n", self.ok("simulate", scene, *options))
 
     def test_a_frame_buffer_has_no_latency(self):
         file = self.write("machine.json", {"frame_buffer": {"latency": 1}})

@@ -11,8 +11,9 @@ import subprocess
 import tool
 from tool import SCENES
 
-COLUMNS = ["columns", "rows", "max_level", "leaf", "rays_primary", "rays_subdivision", "rays_total", "subdivisions",
-           "rmse", "max_error", "cycles", "frames_per_second", "reference", "reference_rays"]
+COLUMNS = ["pyrasim", "scene", "scene_sha256", "machine", "settings_sha256", "set", "columns", "rows", "max_level", "leaf",
+           "reference", "rays_primary", "rays_subdivision", "rays_total", "subdivisions", "rmse", "max_error", "cycles",
+           "frames_per_second", "reference_rays"]
 KEEL = SCENES / "keel.json"
 
 
@@ -41,6 +42,59 @@ class Sweep(tool.EndToEnd):
             self.assertEqual(int(row["subdivisions"]), single["subdivisions"])
             self.assertEqual(int(row["cycles"]), single["machine"]["cycles"])
             self.assertAlmostEqual(float(row["frames_per_second"]) / single["machine"]["frames_per_second"], 1, 7)
+
+    def test_scenes_and_settings(self):
+        """Each scene on each machine, those of several values in each combination; and each row says which it was."""
+        arguments = ["sweep", KEEL, SCENES / "fins.json", "--size", "16x12", "--max-level", "1", "--reference", "none",
+                     "--set", "intersection.units=1,3", "--set", "clock_mhz=50", "--set", "fifos.all=2,8"]
+        rows = list(csv.DictReader(io.StringIO(self.run_tool(*arguments, "--csv", "-").stdout)))
+        asked = [(row["scene"], row["set"]) for row in rows]
+        self.assertEqual(asked, [(str(scene), f"intersection.units={units} clock_mhz=50 fifos.all={depth}")
+                                 for scene in (KEEL, SCENES / "fins.json") for units in (1, 3) for depth in (2, 8)])
+        self.assertEqual(len({row["settings_sha256"] for row in rows}), 4)
+        self.assertEqual(len({row["scene_sha256"] for row in rows}), 2)
+        for row in rows:
+            sets = [word for setting in row["set"].split() for word in ("--set", setting)]
+            machine = self.stats("simulate", row["scene"], "--size", "16x12", "--max-level", "1", *sets)["machine"]
+            self.assertEqual((int(row["cycles"]), row["settings_sha256"], row["machine"]),
+                             (machine["cycles"], machine["settings_sha256"], machine["name"]))
+            self.assertEqual((row["rmse"], row["max_error"], row["reference_rays"]), ("", "", ""))
+        header, *lines = self.ok(*arguments).splitlines()
+        for name in ("scene", "intersection.units", "fifos.all"):
+            self.assertIn(f" {name} ", f" {header}")
+        self.assertNotIn("clock_mhz", header)
+        self.assertRegex(lines[3], r"keel\.json +16x12 +1 mean +3 +8 ")
+        run = self.run_tool(*arguments, "--max-cycles", "10")
+        self.assertIn("keel.json, 16x12 pixels, MAX_LEVEL 1, leaf mean, intersection.units 1, fifos.all 2 (0 of 8", run.stderr)
+
+    def test_resume(self):
+        """What a file holds is kept and not made again, whatever ended the run that made it; all the same in the end."""
+        scene = self.write("scene.json", tool.scene())
+        arguments = ["sweep", "scene.json", "--max-level", "0:3", "--reference", "point", "--set", "intersection.units=1,2"]
+        self.ok(*arguments, "--csv", "whole.csv")
+        whole = (self.folder / "whole.csv").read_text()
+        lines = whole.splitlines(keepends=True)
+        for kept, rest in ((lines[:1], ""), (lines[:4], ""), (lines[:4], lines[4][:30]), (lines[:1] + lines[5:7], "")):
+            self.write("some.csv", "".join(kept) + rest)
+            text = self.ok(*arguments, "--resume", "some.csv")
+            self.assertIn(f"\n{len(kept) - 1} of 8 rows were in some.csv\n", text)
+            self.assertEqual(len(text.splitlines()), 1 + (9 - len(kept)) + 2)
+            result = (self.folder / "some.csv").read_text()
+            self.assertTrue(result.startswith("".join(kept)))
+            self.assertEqual(sorted(result.splitlines()), sorted(whole.splitlines()))
+        self.assertIn("8 of 8 rows were in some.csv", self.ok(*arguments, "--resume", "some.csv"))
+        self.assertEqual((self.folder / "some.csv").read_text(), result)
+        self.ok(*arguments, "--resume", "new.csv")
+        self.assertEqual((self.folder / "new.csv").read_text(), whole)
+        # Another scene of the same name is another run.
+        self.write("scene.json", tool.scene(columns=9))
+        self.assertIn("0 of 8 rows were in new.csv", self.ok(*arguments, "--resume", "new.csv"))
+        self.assertEqual(len((self.folder / "new.csv").read_text().splitlines()), 1 + 8 + 8)
+        self.write("other.csv", "a,b\n1,2\n")
+        self.refused(tool.INPUT, *arguments, "--resume", "other.csv", says="other.csv:1: it is not a table of this version's")
+        self.refused(tool.USAGE, *arguments, "--resume", "scene.json", says="--resume")
+        self.refused(tool.USAGE, *arguments, "--resume", "a.csv", "--csv", "b.csv", says="either --csv, or --resume")
+        self.assertTrue(scene.exists())
 
     def test_errors_are_those_of_compare(self):
         row, = self.table("--max-level", "2", "--size", "32x24", "--reference", "grid:4")

@@ -67,7 +67,7 @@ void expect_boxes_are_told_apart() {
   set(1, 2, {0.5, 1, 0, 1});
   set(2, 2, {0, 1, 0.5, 1});
   set(3, 3, {-1, 1, 0, 1});
-  EXPECT_EQ(met_boxes(boxes, ViewRay<Scalar>(vector<Scalar>(2, 0, 1)), Scalar(2.5)), 0b0101U);
+  EXPECT_EQ(met_boxes(boxes, ViewRay<Scalar>(vector<Scalar>(2, 0, 1)), DepthLimit<Scalar>(2.5)), 0b0101U);
 }
 
 TEST(Scalar, EveryFormatServesTheKernels) {

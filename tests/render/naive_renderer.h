@@ -73,6 +73,9 @@ class NaiveRenderer {
     return object < 0 ? scene_.background : scene_.objects[static_cast<std::size_t>(object)].color;
   }
 
+  /// What these intersections may err by in scenes as tests have them, of t: nearer by less is in the same place.
+  static constexpr double one_place = 1e-12;
+
   /// The object that formula (2)'s view vector meets first; -1 for none.
   int hit(double mu, double nu) const {
     const Screen& screen = scene_.camera.screen;
@@ -81,7 +84,7 @@ class NaiveRenderer {
     int best = -1;
     for (std::size_t k = 0; k < scene_.objects.size(); ++k) {
       const double t = std::visit([&](const auto& surface) { return distance(surface, v); }, scene_.objects[k].surface);
-      if (t > 0 && t < nearest) {
+      if (t > 0 && t < nearest * (1 - one_place)) {
         nearest = t;
         best = static_cast<int>(k);
       }

@@ -4,32 +4,11 @@
 
 #include <random>
 
-#include "trace/plane.h"
-#include "trace/ray.h"
+#include "../numeric/ties/every_hit.h"
 #include "trace/scene_tracer.h"
-#include "trace/sphere.h"
-#include "trace/triangle.h"
 
 namespace pyrasim {
 namespace {
-
-template <class Scalar>
-std::uint32_t object_by_testing_all(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector) {
-  const ViewRay<Scalar> ray(view_vector);
-  const TriangleShear<Scalar> shear(view_vector);
-  Nearest<Scalar> nearest{std::numeric_limits<Scalar>::infinity(), no_object};
-  std::uint32_t object = no_object;
-  const auto offer = [&](Scalar t, const SurfaceIdentity& identity) {
-    if (!nearest.improved_by(t, identity.order)) return;
-    nearest = {t, identity.order};
-    object = identity.object;
-  };
-  for (const auto& sphere : scene.spheres) {
-    offer(intersect_sphere(sphere, view_vector, ray.inverse_length_squared), sphere.identity);
-  }
-  for (const auto& triangle : scene.triangles) offer(intersect_triangle(triangle, shear), triangle.identity);
-  return object;
-}
 
 class Provocation {
  public:
@@ -127,6 +106,7 @@ template <class Scalar>
 void expect_no_false_miss(std::uint64_t seed) {
   Provocation provocation(seed);
   const SceneTracer<Scalar> tracer(provocation.scene());
+  const auto every_hit = make_every_hit(provocation.scene(), FormatOf<Scalar>::value);
   const auto& spheres = tracer.scene().spheres;
   for (std::size_t k = 0; k < 600; ++k) {
     glm::dvec3 view_vector = provocation.view_vector();
@@ -141,7 +121,7 @@ void expect_no_false_miss(std::uint64_t seed) {
     }
     const auto direction = to_scalar<Scalar>(view_vector / view_vector.x);
     Work work;
-    ASSERT_EQ(tracer.trace(direction, work).object, object_by_testing_all(tracer.scene(), direction)) << "ray " << k;
+    ASSERT_EQ(tracer.trace(direction, work).object, object_seen(every_hit->of(direction))) << "ray " << k;
   }
 }
 

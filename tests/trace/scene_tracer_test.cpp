@@ -6,10 +6,8 @@
 #include <deque>
 #include <limits>
 
+#include "../numeric/ties/every_hit.h"
 #include "../test_scenes.h"
-#include "trace/plane.h"
-#include "trace/sphere.h"
-#include "trace/triangle.h"
 
 namespace pyrasim {
 namespace {
@@ -18,7 +16,7 @@ namespace {
 template <class Scalar>
 class BruteForce {
  public:
-  explicit BruteForce(const Scene& scene) : prepared_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {
+  explicit BruteForce(const Scene& scene) : every_hit_(make_every_hit(scene, FormatOf<Scalar>::value)) {
     for (const Object& entry : scene.objects) {
       Scene alone = scene;
       alone.objects = {entry};
@@ -27,25 +25,14 @@ class BruteForce {
   }
 
   Sample trace(const Vector<Scalar>& direction) const {
-    Scalar nearest = std::numeric_limits<Scalar>::infinity();
-    SurfaceIdentity best{no_object, no_object};
-    const auto offer = [&](Scalar t, const SurfaceIdentity& identity) {
-      if (!(t > 0) || t > nearest || (t == nearest && identity.order > best.order)) return;
-      nearest = t;
-      best = identity;
-    };
-    const TriangleShear<Scalar> shear(direction);
-    const Scalar inverse = Scalar(1) / dot(direction, direction);
-    for (const auto& plane : prepared_.planes) offer(intersect_plane(plane, direction), plane.identity);
-    for (const auto& sphere : prepared_.spheres) offer(intersect_sphere(sphere, direction, inverse), sphere.identity);
-    for (const auto& triangle : prepared_.triangles) offer(intersect_triangle(triangle, shear), triangle.identity);
-    if (best.object == no_object) return {};
+    const std::uint32_t object = object_seen(every_hit_->of(direction));
+    if (object == no_object) return {};
     Work work;
-    return {best.object, alone_[best.object].trace(direction, work).shading};
+    return {object, alone_[object].trace(direction, work).shading};
   }
 
  private:
-  PreparedScene<Scalar> prepared_;
+  std::unique_ptr<EveryHit> every_hit_;
   std::deque<SceneTracer<Scalar>> alone_;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "error_bound.h"
+#include "trace/distance_range.h"
 
 namespace pyrasim::silhouettes {
 namespace {
@@ -134,7 +135,9 @@ Verdict verdict(const SphereSurface<double>& sphere, const Ray& ray, const Conta
           discriminant > bound.discriminant && along > bound.along && contact.t > bound.t,
           {},
           contact.behind - bound.t,
-          contact.behind + bound.t};
+          contact.behind + bound.t,
+          0,
+          0};
 }
 
 Verdict verdict(const PlaneSurface<double>& plane, const Ray& ray, const Contact& contact, const Rounding& rounding) {
@@ -143,7 +146,7 @@ Verdict verdict(const PlaneSurface<double>& plane, const Ray& ray, const Contact
   const double nearest_hit = contact.t - contact.behind;
   // The ends of the range are far apart or near t; only then `behind` knows more than they.
   const auto behind = [&](double t) { return contact.hit ? contact.behind + (t - contact.t) : t - nearest_hit; };
-  return {toward > -bound.approach, toward > bound.approach, {}, behind(bound.lowest_t), behind(bound.highest_t)};
+  return {toward > -bound.approach, toward > bound.approach, {}, behind(bound.lowest_t), behind(bound.highest_t), 0, 0};
 }
 
 Verdict verdict(const TriangleSurface<double>& triangle, const Ray& ray, const Contact& contact,
@@ -164,16 +167,52 @@ Verdict verdict(const TriangleSurface<double>& triangle, const Ray& ray, const C
   return result;
 }
 
+SphereSurface<double> scaled(SphereSurface<double> sphere, double factor) {
+  sphere.center = sphere.center * factor;
+  sphere.radius *= factor;
+  sphere.radius_squared *= factor * factor;
+  sphere.power *= factor * factor;
+  return sphere;
+}
+
+PlaneSurface<double> scaled(PlaneSurface<double> plane, double factor) {
+  plane.offset *= factor;
+  return plane;
+}
+
+TriangleSurface<double> scaled(TriangleSurface<double> triangle, double factor) {
+  for (auto& vertex : triangle.vertices) {
+    for (double& coordinate : vertex) coordinate *= factor;
+  }
+  return triangle;
+}
+
+/// The hit errs, and the datapath grants it as much again to either side: the range of twice the rounding.
+template <class Surface>
+Verdict with_range(Verdict verdict, const ExactScene& scene, const Surface& surface, const Ray& ray,
+                   const Contact& contact, const Rounding& rounding) {
+  const double factor = std::ldexp(1.0, rounding.exponent);
+  const RoundingUnits units{2 * rounding.relative, 2 * rounding.absolute, scene.place() * factor};
+  const Vector<double> direction{1, ray.y<double>(), ray.z<double>()};
+  const DistanceRange range = distance_range(scaled(surface, factor), direction, contact.t * factor, units);
+  verdict.begins_behind = std::min(verdict.lowest_behind, contact.behind + (range.lowest / factor - contact.t));
+  verdict.ends_behind = std::max(verdict.highest_behind, contact.behind + (range.highest / factor - contact.t));
+  return verdict;
+}
+
 }  // namespace
 
 Verdict verdict(const ExactScene& scene, const Ray& ray, const Contact& contact, const Rounding& rounding) {
+  const auto of = [&](const auto& surface) {
+    return with_range(verdict(surface, ray, contact, rounding), scene, surface, ray, contact, rounding);
+  };
   switch (contact.kind) {
     case SurfaceKind::sphere:
-      return verdict(scene.spheres()[contact.index], ray, contact, rounding);
+      return of(scene.spheres()[contact.index]);
     case SurfaceKind::plane:
-      return verdict(scene.planes()[contact.index], ray, contact, rounding);
+      return of(scene.planes()[contact.index]);
     default:
-      return verdict(scene.triangles()[contact.index], ray, contact, rounding);
+      return of(scene.triangles()[contact.index]);
   }
 }
 

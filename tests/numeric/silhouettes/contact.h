@@ -36,6 +36,7 @@ struct Verdict {
   bool certain;   ///< it must; a triangle, where the ray runs off none of its edges
   std::array<bool, 3> near_edge{};
   double lowest_behind, highest_behind;  ///< the range of `behind` where it counts as hit
+  double begins_behind, ends_behind;     ///< and of the range that the datapath grants such a hit (decision D7)
 };
 Verdict verdict(const ExactScene& scene, const Ray& ray, const Contact& contact, const Rounding& rounding);
 

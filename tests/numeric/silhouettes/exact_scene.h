@@ -19,6 +19,9 @@ class ExactScene {
   const std::vector<PlaneSurface<double>>& planes() const { return prepared_.planes; }
   const std::vector<TriangleSurface<double>>& triangles() const { return prepared_.triangles; }
 
+  /// The largest of the observer's coordinates in the world.
+  double place() const { return prepared_.rounding.place; }
+
   /// Between which slopes a triangle is seen, to a few roundings of double.
   struct Extent {
     float lower_y, upper_y, lower_z, upper_z;

@@ -22,9 +22,9 @@ Explanation::Explanation(const ExactScene& scene, const Ray& ray, const std::vec
 
 /// From triangle to triangle across all edges that the ray may run through. Where the ray is sure to be inside what has
 /// been gathered, one of these triangles counts as hit.
-std::optional<double> Explanation::certain_hit(std::size_t contact) const {
+std::optional<Explanation::Certain> Explanation::certain_hit(std::size_t contact) const {
   if (!verdicts_[contact].certain) return std::nullopt;
-  double furthest = verdicts_[contact].highest_behind;
+  Certain furthest{verdicts_[contact].highest_behind, verdicts_[contact].ends_behind};
   if (contacts_[contact].kind != SurfaceKind::triangle) return furthest;
   const auto determinant = [&](const Contact& of) { return of.margins[0] + of.margins[1] + of.margins[2]; };
   std::set<std::uint32_t> gathered{contacts_[contact].index};
@@ -32,7 +32,8 @@ std::optional<double> Explanation::certain_hit(std::size_t contact) const {
   while (!pending.empty()) {
     const std::size_t here = pending.back();
     pending.pop_back();
-    furthest = std::max(furthest, verdicts_[here].highest_behind);
+    furthest.behind = std::max(furthest.behind, verdicts_[here].highest_behind);
+    furthest.ends = std::max(furthest.ends, verdicts_[here].ends_behind);
     for (std::size_t edge = 0; edge < 3; ++edge) {
       if (!verdicts_[here].near_edge[edge]) continue;
       const auto [triangle, turned] = scene_.neighbor(contacts_[here].index, edge);
@@ -52,18 +53,23 @@ std::optional<double> Explanation::certain_hit(std::size_t contact) const {
   return furthest;
 }
 
-bool Explanation::allows(std::uint32_t object) const {
-  double furthest = std::numeric_limits<double>::infinity();
-  bool any = false;
+bool Explanation::allows(const Contact& contact, const Verdict& verdict) const {
+  if (!verdict.possible) return false;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    if (!certain_[k] || contacts_[k].identity.object == object) continue;
-    any = true;
-    furthest = std::min(furthest, *certain_[k]);
+    if (!certain_[k] || contacts_[k].identity.object == contact.identity.object) continue;
+    if (verdict.lowest_behind <= certain_[k]->behind) continue;
+    const bool first = contact.identity.object < contacts_[k].identity.object;
+    if (!first || verdict.begins_behind > certain_[k]->ends) return false;
   }
-  if (object == no_object) return !any;
+  return true;
+}
+
+bool Explanation::allows(std::uint32_t object) const {
+  if (object == no_object) {
+    return std::none_of(certain_.begin(), certain_.end(), [](const auto& certain) { return certain.has_value(); });
+  }
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    if (contacts_[k].identity.object != object) continue;
-    if (verdicts_[k].possible && verdicts_[k].lowest_behind <= furthest) return true;
+    if (contacts_[k].identity.object == object && allows(contacts_[k], verdicts_[k])) return true;
   }
   return false;
 }

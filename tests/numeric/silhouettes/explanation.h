@@ -17,6 +17,9 @@ namespace pyrasim::silhouettes {
 /// is itself certain; and the background, where no hit is certain. A hit on a mesh is certain though the ray runs
 /// through an edge, as long as triangles on both sides share it: rounding moves a vertex, not the triangles apart. Only
 /// a silhouette of the mesh or its border lets the ray by, or a triangle so small that nothing is left of it.
+///
+/// Where the datapath grants two hits ranges that meet, it sees the first in the scene (decision D7): an object that
+/// comes before all those that it lies behind is explained by that too.
 class Explanation {
  public:
   /// `contacts` are those of the ray for `rounding` or more.
@@ -25,13 +28,18 @@ class Explanation {
   bool allows(std::uint32_t object) const;
 
  private:
-  std::optional<double> certain_hit(std::size_t contact) const;
+  /// How far behind the nearest hit it lies at most, and its range ends.
+  struct Certain {
+    double behind, ends;
+  };
+  std::optional<Certain> certain_hit(std::size_t contact) const;
+  bool allows(const Contact& contact, const Verdict& verdict) const;
 
   const ExactScene& scene_;
   const std::vector<Contact>& contacts_;
   std::vector<Verdict> verdicts_;
   std::unordered_map<std::uint32_t, std::size_t> triangles_;  ///< contacts by the triangle's index
-  std::vector<std::optional<double>> certain_;  ///< of each contact: how far behind the nearest hit at most
+  std::vector<std::optional<Certain>> certain_;               ///< of each contact
 };
 
 /// The part of its rounding unit by which a datapath's seeing `object` is explained: 1 if it errs by as much as its

@@ -11,7 +11,6 @@
 #include "error.h"
 #include "numeric/number_types.h"
 #include "trace/datapath_formats.h"
-#include "trace/ray.h"
 #include "trace/rounded_scene.h"
 
 namespace pyrasim::silhouettes {
@@ -97,7 +96,7 @@ class TextbookSpheres final : public Tracer {
 
   Sample trace(const glm::dvec3& view_vector, Work&) const override {
     const auto d = to_scalar<Scalar>(view_vector);
-    Nearest<Scalar> nearest{std::numeric_limits<Scalar>::infinity(), no_object};
+    Scalar nearest = std::numeric_limits<Scalar>::infinity();
     Sample sample;
     for (const auto& sphere : scene_.spheres) {
       const Scalar a = dot(d, d);
@@ -105,8 +104,8 @@ class TextbookSpheres final : public Tracer {
       const Scalar discriminant = b * b - Scalar(4) * a * (dot(sphere.center, sphere.center) - sphere.radius_squared);
       if (discriminant < Scalar(0)) continue;
       const Scalar t = (b - sqrt(discriminant)) / (Scalar(2) * a);
-      if (!nearest.improved_by(t, sphere.identity.order)) continue;
-      nearest = {t, sphere.identity.order};
+      if (!(t > Scalar(0) && t < nearest)) continue;
+      nearest = t;
       sample.object = sphere.identity.object;
     }
     return sample;

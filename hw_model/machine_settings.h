@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The settings of a machine as one list: reading a machine file, writing one, and comparing two machines walk over it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "hw_model/machine_spec.h"
+#include "json/json_reader.h"
+
+namespace pyrasim::hw {
+
+/// visit(path, setting, allowed) for every setting but the name. `path` is that of --set, "intersection.cost.ray";
+/// `allowed` is an IntegerRange for Cycle and std::size_t, a NumberRange for double, and the names for an enumeration.
+/// Spec: MachineSpec, or const. A new setting is a line here, one in machine_spec.h and one in the schema.
+template <class Spec, class Visit>
+void for_each_setting(Spec& spec, const Visit& visit) {
+  constexpr IntegerRange cycles{1, 1'000'000};
+  constexpr IntegerRange cost{0, 1'000'000};
+  constexpr IntegerRange depth{1, 65'536};
+  constexpr NumberRange positive{0.001, 1e6};
+  const auto stage = [&](const std::string& name, auto& timing) {
+    visit(name + ".latency", timing.latency, cycles);
+    visit(name + ".interval", timing.interval, cycles);
+  };
+  visit("clock_mhz", spec.clock_mhz, positive);
+  visit("goal_fps", spec.goal_fps, positive);
+  stage("pixel_scan", spec.pixel_scan);
+  stage("view_vector_generator", spec.view_vector_generator);
+  visit("intersection.units", spec.intersection_units, IntegerRange{1, 256});
+  visit("intersection.dispatch", spec.dispatch, dispatch_names);
+  visit("intersection.reorder_buffer", spec.reorder_buffer, depth);
+  visit("intersection.latency", spec.intersection_latency, cycles);
+  visit("intersection.cost.ray", spec.intersection_cost.ray, cycles);
+  visit("intersection.cost.box_test", spec.intersection_cost.box_test, cost);
+  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+    visit("intersection.cost." + std::string(surface_kind_names[kind]), spec.intersection_cost.surface_test[kind],
+          cost);
+  }
+  stage("pyramid_classifier", spec.pyramid_classifier);
+  visit("pyramid_classifier.corner_row", spec.corner_row, IntegerRange{3, 65'537});
+  stage("subdivision_controller", spec.subdivision_controller);
+  visit("subdivision_controller.pool", spec.subdivision_pool, IntegerRange{0, 1'000'000});
+  stage("tree_accumulator", spec.tree_accumulator);
+  visit("tree_accumulator.pixels", spec.pixels_in_flight, IntegerRange{1, 1'000'000});
+  visit("frame_buffer.interval", spec.frame_buffer_interval, cycles);
+  auto& fifos = spec.fifos;
+  const auto fifo = [&](const char* name, auto& setting) { visit(std::string("fifos.") + name, setting, depth); };
+  fifo("pixel_scan_to_view_vector_generator", fifos.pixel_scan_to_view_vector_generator);
+  fifo("view_vector_generator_to_intersection_unit", fifos.view_vector_generator_to_intersection_unit);
+  fifo("intersection_unit_to_pyramid_classifier", fifos.intersection_unit_to_pyramid_classifier);
+  fifo("pyramid_classifier_to_subdivision_controller", fifos.pyramid_classifier_to_subdivision_controller);
+  fifo("subdivision_controller_to_view_vector_generator", fifos.subdivision_controller_to_view_vector_generator);
+  fifo("subdivision_controller_to_pyramid_classifier", fifos.subdivision_controller_to_pyramid_classifier);
+  fifo("pyramid_classifier_to_tree_accumulator", fifos.pyramid_classifier_to_tree_accumulator);
+  fifo("tree_accumulator_to_frame_buffer", fifos.tree_accumulator_to_frame_buffer);
+}
+
+/// A machine file that says every setting: {"clock_mhz": 200, "intersection": {"units": 4, ...}, ...}, the name left
+/// out.
+nlohmann::ordered_json settings_document(const MachineSpec& spec);
+
+/// SHA-256 of that document's text without blanks, in hexadecimal: equal for machines that are alike but for their
+/// names.
+std::string settings_sha256(const MachineSpec& spec);
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// The range that is given for a hit holds the exact one, of the scene as it was written, in every number format; and is
+// not much wider than that takes.
+#include "every_hit.h"
+#include "exact_distance.h"
+#include "numeric/round_to_format.h"
+#include "trace/observer_frame.h"
+
+namespace pyrasim {
+namespace {
+
+/// One surface and its observer, and a point of it, in his coordinates, for a ray to be aimed at.
+struct Case {
+  Scene scene;
+  glm::dvec3 target;
+};
+
+Scene seen_from(Random& random, double reach) {
+  Scene scene = empty_scene(1, 1, 1);
+  scene.camera = decimal_camera(random, reach);
+  return scene;
+}
+
+/// From the observer, anywhere about the way he looks.
+glm::dvec3 ahead(Random& random, const Camera& camera, double distance) {
+  const glm::dvec3 forward = normalized(camera.look_at - camera.position);
+  return decimal(camera.position + (forward + random.vector(-0.4, 0.4)) * distance);
+}
+
+double power(Random& random, double low, double high) { return std::exp2(random.uniform(low, high)); }
+
+/// Small, large, and around the observer; met anywhere, and at the rim.
+Case sphere(Random& random, double reach) {
+  Scene scene = seen_from(random, reach);
+  const glm::dvec3 center = ahead(random, scene.camera, power(random, 0, 7));
+  const glm::dvec3 from_center = scene.camera.position - center;
+  const double away = std::sqrt(dot(from_center, from_center));
+  const double radius = std::max(decimal(away * power(random, -6, 0.3)), 0.01);
+  scene.objects = {object(Sphere{center, radius})};
+  const ObserverFrame frame(scene.camera);
+  const glm::dvec3 c = frame.point(center);
+  const glm::dvec3 across = normalized(cross(c, random.unit_vector()));
+  const double rim = radius < away ? radius * std::sqrt(1 - radius * radius / (away * away)) : radius;
+  const double part = random.below(3) == 0 ? 1 - power(random, -50, -4) : random.uniform(0, 1);
+  return {scene, c * (radius < away ? 1 - radius * radius / (away * away) : 1) + across * (rim * part)};
+}
+
+/// From all sides, and to its horizon.
+Case plane(Random& random, double reach) {
+  Scene scene = seen_from(random, reach);
+  const glm::dvec3 normal = decimal(random.unit_vector() * power(random, -3, 3));
+  const glm::dvec3 point = ahead(random, scene.camera, power(random, -2, 6));
+  scene.objects = {object(Plane{normal, decimal(dot(normal, point))})};
+  const ObserverFrame frame(scene.camera);
+  const glm::dvec3 along = normalized(cross(normal, random.unit_vector()));
+  return {scene, frame.point(point + along * power(random, -3, random.below(2) == 0 ? 30 : 4))};
+}
+
+/// Small and large, also behind the observer in part; seen from the front, and nearly along.
+Case triangle(Random& random, double reach) {
+  Scene scene = seen_from(random, reach);
+  const double distance = power(random, 0, 7);
+  const double size = distance * power(random, -6, 1);
+  const glm::dvec3 middle = ahead(random, scene.camera, distance);
+  Triangle triangle;
+  for (glm::dvec3& vertex : triangle.vertices) vertex = decimal(middle + random.vector(-1, 1) * size);
+  if (random.below(3) == 0) {
+    const glm::dvec3 to_observer = normalized(scene.camera.position - middle);
+    triangle.vertices[2] = decimal(triangle.vertices[1] + to_observer * size + random.vector(-1, 1) * (size / 64));
+  }
+  scene.objects = {object(triangle)};
+  const ObserverFrame frame(scene.camera);
+  const double part = random.uniform(0, 1);
+  const double other = random.uniform(0, 1 - part);
+  const auto& [a, b, c] = triangle.vertices;
+  return {scene, frame.point(a + (b - a) * part + (c - a) * other)};
+}
+
+struct Tightness {
+  int hits = 0;
+  int coarsely_known = 0;
+  double worst = 0;  ///< error, as a part of what the range grants
+};
+
+void expect_in_range(const KnownHit& hit, const Real& exact, Tightness& tightness) {
+  const Real error = exact - Real(hit.t);
+  ASSERT_LE(hit.range.lowest, hit.range.highest);
+  ASSERT_LE(Real(hit.range.lowest), exact)
+      << hit.t << " errs by " << static_cast<double>(error) << ", granted " << hit.t - hit.range.lowest;
+  ASSERT_GE(Real(hit.range.highest), exact)
+      << hit.t << " errs by " << static_cast<double>(error) << ", granted " << hit.range.highest - hit.t;
+  if (hit.relative_error < 1) {
+    ASSERT_GE(hit.range.lowest, hit.t * (1 - hit.relative_error));
+    ASSERT_LE(hit.range.highest, hit.t * (1 + hit.relative_error));
+    ++tightness.coarsely_known;
+  }
+  const double granted = error > Real(0) ? hit.range.highest - hit.t : hit.t - hit.range.lowest;
+  if (granted > 0) tightness.worst = std::max(tightness.worst, static_cast<double>(abs(error)) / granted);
+  ++tightness.hits;
+}
+
+template <class Make>
+void expect_ranges(const char* what, const Make& make) {
+  for (const NumberFormat& format : number_formats()) {
+    SCOPED_TRACE(format.name());
+    const RoundToFormat round = rounding_to(format);
+    Random random(77);
+    Tightness tightness;
+    for (int k = 0; k < 1500; ++k) {
+      const double reach = k % 3 == 0 ? 0 : k % 3 == 1 ? 4 : 4000;
+      const auto [scene, target] = make(random, reach);
+      if (!(target.x > 0.05 * std::sqrt(dot(target, target)))) continue;
+      glm::dvec3 v(1, target.y / target.x, target.z / target.x);
+      if (round != nullptr) v = {1, round(v.y), round(v.z)};
+      const auto tester = make_every_hit(scene, format);
+      const auto hits = tester->of(v);
+      const auto exact = exact_distance(scene.objects[0].surface, WorldRay(scene.camera, v));
+      if (hits.empty() || hits[0].saturated || !exact) continue;
+      expect_in_range(hits[0], *exact * Real(std::ldexp(1.0, tester->exponent())), tightness);
+      if (testing::Test::HasFatalFailure()) FAIL() << what << " " << k;
+    }
+    print_figure(
+        fmt::format("{}: largest error, of the range", what), format,
+        fmt::format("{:.3f} of {} hits, {} known coarsely", tightness.worst, tightness.hits, tightness.coarsely_known));
+    EXPECT_GT(tightness.hits, 300);
+    EXPECT_GT(tightness.worst, 1.0 / 16) << "the range is needlessly wide";
+    if (format == NumberFormat()) {
+      EXPECT_GT(tightness.coarsely_known, tightness.hits * 8 / 10);
+    }
+  }
+}
+
+TEST(DistanceRange, HoldsTheExactHitOfASphere) { expect_ranges("sphere", sphere); }
+TEST(DistanceRange, HoldsTheExactHitOfAPlane) { expect_ranges("plane", plane); }
+TEST(DistanceRange, HoldsTheExactHitOfATriangle) { expect_ranges("triangle", triangle); }
+
+}  // namespace
+}  // namespace pyrasim
