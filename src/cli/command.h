@@ -26,6 +26,9 @@ void add_check_command(const Command& program);
 void add_level_command(const Command& program);
 void add_compare_command(const Command& program);
 void add_formats_command(const Command& program);
+/// These print what `parser` knows of the whole command line.
+void add_completion_command(CommandParser& parser);
+void add_man_command(CommandParser& parser);
 
 /// The whole command line, as a shell would take it; every result names it.
 const std::string& command_line();

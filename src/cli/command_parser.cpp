@@ -95,6 +95,28 @@ void refuse_empty_values(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
 }
 
+OptionDescription describe(const CLI::Option& option) {
+  OptionDescription description;
+  for (const std::string& name : option.get_snames()) description.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) description.names.push_back("--" + name);
+  if (option.get_positional()) description.names = {option.get_name(true, false)};
+  if (option.get_items_expected_max() > 0) description.value = option.get_type_name();
+  description.description = option.get_description();
+  description.default_value = option.get_default_str();
+  description.required = option.get_required();
+  description.repeatable = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+  return description;
+}
+
+CommandDescription describe(const CLI::App& command) {
+  CommandDescription description{full_name(command), command.get_description(), command.get_footer(), {}, {}, {}};
+  for (const CLI::Option* option : command.get_options()) {
+    (option->get_positional() ? description.arguments : description.options).push_back(describe(*option));
+  }
+  for (const CLI::App* below : command.get_subcommands({})) description.commands.push_back(describe(*below));
+  return description;
+}
+
 /// What was wrong, what was probably meant, and where to look.
 std::string mistake(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = chosen(app);
@@ -215,6 +237,8 @@ CommandParser::CommandParser(const std::string& name, const std::string& descrip
 }
 
 CommandParser::~CommandParser() = default;
+
+CommandDescription CommandParser::description() const { return describe(*app_); }
 
 std::optional<Action> CommandParser::parse(int argc, char** argv) {
   try {

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/command_description.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -100,6 +102,9 @@ class CommandParser {
   /// What the chosen command runs; none where the help or the version was asked for and has been printed.
   /// Throws UsageError.
   std::optional<Action> parse(int argc, char** argv);
+
+  /// All commands and options, as added so far.
+  CommandDescription description() const;
 
  private:
   std::unique_ptr<CLI::App> app_;

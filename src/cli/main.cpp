@@ -40,6 +40,8 @@ int run(int argc, char** argv) {
   cli::add_check_command(program);
   cli::add_level_command(program);
   cli::add_formats_command(program);
+  cli::add_completion_command(parser);
+  cli::add_man_command(parser);
   try {
     if (const auto action = parser.parse(argc, argv)) (*action)();
     return exit_ok;

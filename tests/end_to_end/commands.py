@@ -10,7 +10,7 @@ import zlib
 import tool
 from tool import LIMIT, OK, SCENES, USAGE
 
-COMMANDS = ("render", "simulate", "sweep", "budget", "study", "compare", "check", "level", "formats")
+COMMANDS = ("render", "simulate", "sweep", "budget", "study", "compare", "check", "level", "formats", "completion", "man")
 KEEL = SCENES / "keel.json"
 
 
@@ -38,7 +38,7 @@ class Commands(tool.EndToEnd):
         self.refused(USAGE, "x" * 100000, says="unknown command; pyrasim --help")
         for command in COMMANDS:
             self.refused(USAGE, command, "--paint", "x", says="")
-            if command not in ("level", "formats"):
+            if command not in ("level", "formats", "man"):
                 self.refused(USAGE, command, says="is required")
         for command in ("render", "simulate"):
             for option, value, says in (
