@@ -18,7 +18,7 @@ import time
 import tomllib
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-FOLDERS = ("src", "hw_model", "tests", "scenes", "machines", "docs", "tools")
+FOLDERS = ("src", "hw_model", "tests", "scenes", "machines", "docs", "tools", "cmake", "examples")
 KEYS = {"name", "file", "old", "new", "tests", "why"}
 PRESET = "release"  # without assertions: what they notice, a user's build does not
 SECONDS_A_TEST = 120
