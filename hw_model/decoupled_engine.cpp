@@ -69,7 +69,7 @@ Cycle DecoupledEngine::controller_date() {
 
 /// The earliest firing of the controller that a ray issued at `first` or a later one can make possible: samples are
 /// taken in order, so none before this ray's. The classifier then reads the parent, whose cell is free a cycle later.
-Cycle DecoupledEngine::echo(Cycle first) const {
+Cycle DecoupledEngine::lookahead(Cycle first) const {
   const Cycle ready = boxes_.units[boxes_.generator.next_unit()]->ready();
   return std::max(first + generator_latency_, ready) + unit_latency_ + 1;
 }
@@ -83,7 +83,7 @@ void DecoupledEngine::run_controller(Cycle first) {
 }
 
 void DecoupledEngine::run_generator(Cycle first) {
-  const Cycle bound = echo(first);
+  const Cycle bound = lookahead(first);
   while (boxes_.generator.fire_before(std::min(bound, controller_date()) + request_latency_)) {
     if (boxes_.generator.sees_next_corner()) continue;
     boxes_.scan.drain();

@@ -46,7 +46,7 @@ class DecoupledEngine {
   void settle();
   void run_controller(Cycle first);
   void run_generator(Cycle first);
-  Cycle echo(Cycle first) const;
+  Cycle lookahead(Cycle first) const;
   Cycle controller_date();
 
   std::vector<Stage*> stages_;

@@ -4,8 +4,8 @@
 namespace pyrasim::hw {
 
 IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, Cycle latency, const IntersectionCost& cost,
-                                   const Tracer& tracer, bool count_events)
-    : StageOf(name), latency_(latency), cost_(cost), tracer_(tracer), count_events_(count_events) {}
+                                   const Intersector& intersector, bool count_events)
+    : StageOf(name), latency_(latency), cost_(cost), intersector_(intersector), count_events_(count_events) {}
 
 Cycle IntersectionUnit::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();
@@ -25,8 +25,8 @@ Cycle IntersectionUnit::fire(Ends& ends, const Plan& plan) {
 
 Sample IntersectionUnit::nearest_hit(const RayMessage& ray, Work& work) {
   if (corners_ahead_ != nullptr && !ray.subdivision) return corners_ahead_->trace(ray.point, ray.view_vector, work);
-  if (count_events_) return counting_events(events_, [&] { return tracer_.trace(ray.view_vector, work); });
-  return tracer_.trace(ray.view_vector, work);
+  if (count_events_) return counting_events(events_, [&] { return intersector_.intersect(ray.view_vector, work); });
+  return intersector_.intersect(ray.view_vector, work);
 }
 
 Cycle IntersectionUnit::cost_of_tests() const {

@@ -7,9 +7,9 @@
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
 #include "hw_model/stage/stage_of.h"
-#include "trace/corners_ahead.h"
-#include "trace/datapath_formats.h"
-#include "trace/tracer.h"
+#include "intersect/corners_ahead.h"
+#include "intersect/datapath_formats.h"
+#include "intersect/intersector.h"
 
 namespace pyrasim::hw {
 
@@ -21,7 +21,7 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   FifoPort<SampleMessage> pyramid_classifier{"pyramid_classifier"};
 
   IntersectionUnit(const sc_core::sc_module_name& name, Cycle latency, const IntersectionCost& cost,
-                   const Tracer& tracer, bool count_events);
+                   const Intersector& intersector, bool count_events);
 
   const Work& work() const { return work_; }
   /// Of the arithmetic, where the constructor was told to count; costs a little.
@@ -50,7 +50,7 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
 
   Cycle latency_;
   IntersectionCost cost_;
-  const Tracer& tracer_;
+  const Intersector& intersector_;
   bool count_events_;
   CornersAhead* corners_ahead_ = nullptr;
   Work work_;

@@ -30,7 +30,7 @@ void for_each_setting(Spec& spec, const Visit& visit) {
   stage("view_vector_generator", spec.view_vector_generator);
   visit("intersection.units", spec.intersection_units, IntegerRange{1, 256});
   visit("intersection.dispatch", spec.dispatch, dispatch_names);
-  visit("intersection.reorder_buffer", spec.reorder_buffer, depth);
+  visit("intersection.issue_order_queue", spec.issue_order_queue, depth);
   visit("intersection.latency", spec.intersection_latency, cycles);
   visit("intersection.cost.ray", spec.intersection_cost.ray, cycles);
   visit("intersection.cost.box_test", spec.intersection_cost.box_test, cost);
@@ -39,7 +39,7 @@ void for_each_setting(Spec& spec, const Visit& visit) {
           cost);
   }
   stage("pyramid_classifier", spec.pyramid_classifier);
-  visit("pyramid_classifier.corner_row", spec.corner_row, IntegerRange{3, 65'537});
+  visit("pyramid_classifier.line_buffer", spec.line_buffer, IntegerRange{3, 65'537});
   stage("subdivision_controller", spec.subdivision_controller);
   visit("subdivision_controller.pool", spec.subdivision_pool, IntegerRange{0, 1'000'000});
   stage("tree_accumulator", spec.tree_accumulator);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "error.h"
@@ -63,11 +64,22 @@ Dispatch value(const JsonReader& node, Dispatch, const decltype(dispatch_names)&
   return node.choice<Dispatch>({{names[0].first, names[0].second}, {names[1].first, names[1].second}});
 }
 
-void refuse_frame_buffer_latency(const JsonReader& root) {
-  const auto buffer = root.find("frame_buffer");
-  if (!buffer || !buffer->has("latency")) return;
-  buffer->member("latency").fail("nothing waits for what the frame buffer stores, so that it has no latency",
-                                 "remove it; allowed keys: interval");
+/// A key that machine files once had.
+struct FormerKey {
+  std::string_view group, key, why, instead;
+};
+constexpr std::array former_keys{
+    FormerKey{"frame_buffer", "latency", "nothing waits for what the frame buffer stores, so that it has no latency",
+              "remove it; allowed keys: interval"},
+    FormerKey{"intersection", "reorder_buffer", "has another name now", "issue_order_queue"},
+    FormerKey{"pyramid_classifier", "corner_row", "has another name now", "line_buffer"},
+};
+
+void refuse_former_keys(const JsonReader& root) {
+  for (const auto& [group, key, why, instead] : former_keys) {
+    const auto found = root.find(group);
+    if (found && found->has(key)) found->member(key).fail(std::string(why), std::string(instead));
+  }
 }
 
 /// How many settings differ.
@@ -88,7 +100,7 @@ std::string MachineSpec::title() const {
 MachineSpec read_machine(const std::string& file, const nlohmann::json& document) {
   MachineSpec spec;
   const JsonReader root(file, document);
-  refuse_frame_buffer_latency(root);
+  refuse_former_keys(root);
   allow_paths(root, allowed_paths(), "");
   spec.name = root.optional_string("name").value_or(std::filesystem::path(file).stem().string());
   const auto every_fifo = find(root, "fifos.all");
@@ -121,11 +133,11 @@ void check_machine_holds(const MachineSpec& spec, int max_level, int columns) {
         "({} - 1) + 1 is needed, or a lower MAX_LEVEL",
         excerpt(spec.name), spec.subdivision_pool, max_level, required, max_level));
   }
-  if (spec.corner_row < static_cast<std::size_t>(columns) + 2) {
+  if (spec.line_buffer < static_cast<std::size_t>(columns) + 2) {
     throw InputError(fmt::format(
-        "machine {}: /pyramid_classifier/corner_row: {} cannot hold a row of corners and one more; at least {} = {} + "
+        "machine {}: /pyramid_classifier/line_buffer: {} cannot hold a row of corners and one more; at least {} = {} + "
         "2 is needed, or fewer columns",
-        excerpt(spec.name), spec.corner_row, columns + 2, columns));
+        excerpt(spec.name), spec.line_buffer, columns + 2, columns));
   }
 }
 

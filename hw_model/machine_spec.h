@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "hw_model/cycle.h"
-#include "trace/surface.h"
+#include "intersect/surface.h"
 
 namespace pyrasim::hw {
 
@@ -35,7 +35,7 @@ struct IntersectionCost {
 /// Which intersection unit gets the next ray.
 enum class Dispatch : std::uint8_t {
   round_robin,  ///< each in turn
-  first_free,   ///< the first that has room, counting on from the last; the reorder buffer restores the order
+  first_free,   ///< the first that has room, counting on from the last; the issue-order queue restores the order
 };
 inline constexpr std::array<std::pair<std::string_view, Dispatch>, 2> dispatch_names{
     {{"round_robin", Dispatch::round_robin}, {"first_free", Dispatch::first_free}}};
@@ -63,11 +63,11 @@ struct MachineSpec {
   StageTiming view_vector_generator{.latency = 4};
   std::size_t intersection_units = 4;
   Dispatch dispatch = Dispatch::round_robin;
-  std::size_t reorder_buffer = 32;  ///< rays under way between generator and classifier under first_free
-  Cycle intersection_latency = 8;   ///< a result can be read from the end of its ray's occupancy on, plus this - 1
+  std::size_t issue_order_queue = 32;  ///< rays under way between generator and classifier under first_free
+  Cycle intersection_latency = 8;      ///< a result can be read from the end of its ray's occupancy on, plus this - 1
   IntersectionCost intersection_cost;
   StageTiming pyramid_classifier{.latency = 2};
-  std::size_t corner_row = 65'537;  ///< corner samples that the classifier can hold: a row and one more
+  std::size_t line_buffer = 65'537;  ///< corner samples that the classifier can hold: a row and one more
   StageTiming subdivision_controller{.latency = 2};
   std::size_t subdivision_pool = 64;  ///< subpixels that the controller can hold for subdivision
   StageTiming tree_accumulator{.latency = 2};

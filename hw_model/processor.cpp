@@ -29,13 +29,13 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
       spec_(checked(spec, scene, options)),
       window_(scene.camera.rendered()),
       formats_(options.formats),
-      tracer_(options.tracer ? options.tracer : make_tracer(scene, formats_.intersection)),
+      intersector_(options.intersector ? options.intersector : make_intersector(scene, formats_.intersection)),
       view_vectors_(scene.camera.screen, std::int64_t{1} << options.max_level, formats_.view_vectors),
-      contents_(tracer_->contents()),
+      contents_(intersector_->contents()),
       pixel_scan_("pixel_scan", spec.pixel_scan, window_, options.max_level),
       view_vector_generator_("view_vector_generator", spec.view_vector_generator, spec.intersection_units,
                              spec.dispatch, view_vectors_, formats_.counts_events(), options.max_level),
-      pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, scene, options.leaf,
+      pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, scene, options.edge,
                           options.max_level),
       tree_accumulator_("tree_accumulator", spec.tree_accumulator, spec.pixels_in_flight, options.max_level),
       frame_buffer_("frame_buffer", spec.frame_buffer_interval, window_.columns, window_.rows,
@@ -43,7 +43,7 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
   for (std::size_t k = 0; k < spec.intersection_units; ++k) {
     intersection_units_.push_back(std::make_unique<IntersectionUnit>(fmt::format("intersection_unit_{}", k).c_str(),
                                                                      spec.intersection_latency, spec.intersection_cost,
-                                                                     *tracer_, formats_.counts_events()));
+                                                                     *intersector_, formats_.counts_events()));
   }
   if (options.max_level > 0 && !scene.objects.empty()) {
     controller_ = std::make_unique<SubdivisionController>("subdivision_controller", spec.subdivision_controller,
@@ -70,7 +70,7 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
 void Processor::run_decoupled(int threads) {
   std::optional<CornersAhead> corners;
   if (threads > 1 && !formats_.counts_events()) {
-    corners.emplace(*tracer_, view_vectors_, window_, std::uint32_t{1} << pyramid_classifier_.max_level(),
+    corners.emplace(*intersector_, view_vectors_, window_, std::uint32_t{1} << pyramid_classifier_.max_level(),
                     intersection_units_.size() * spec_.fifos.view_vector_generator_to_intersection_unit);
   }
   for (const auto& unit : intersection_units_) unit->take_corners(corners ? &*corners : nullptr);
@@ -118,8 +118,9 @@ void Processor::bind() {
     stages_.push_back(&unit);
   }
   if (view_vector_generator_.chooses_unit()) {
-    connect<UnitNumber>("view_vector_generator_to_pyramid_classifier", spec_.reorder_buffer, view_vector_generator_,
-                        view_vector_generator_.reorder_buffer, pyramid_classifier_, pyramid_classifier_.reorder_buffer);
+    connect<UnitNumber>("view_vector_generator_to_pyramid_classifier", spec_.issue_order_queue, view_vector_generator_,
+                        view_vector_generator_.issue_order_queue, pyramid_classifier_,
+                        pyramid_classifier_.issue_order_queue);
   }
   stages_.push_back(&pyramid_classifier_);
   if (controller_) bind_controller();

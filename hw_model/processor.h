@@ -28,13 +28,14 @@ enum class Engine : std::uint8_t {
 
 struct SimulationOptions {
   int max_level = 3;
-  Leaf leaf = Leaf::mean;
+  EdgePolicy edge = EdgePolicy::mean;
   Engine engine = Engine::decoupled;
   DatapathFormats formats;
-  std::shared_ptr<const Tracer> tracer;  ///< of the scene in formats.intersection; none: the machine makes its own
-  Cycle max_cycles = never;              ///< the machine stops once it cannot end within so many
-  int threads = 1;                       ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
-  bool check_machine = true;             ///< refuse a machine that cannot hold the frame; off only to see it deadlock
+  /// Of the scene in formats.intersection; none: the machine makes its own.
+  std::shared_ptr<const Intersector> intersector;
+  Cycle max_cycles = never;   ///< the machine stops once it cannot end within so many
+  int threads = 1;            ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
+  bool check_machine = true;  ///< refuse a machine that cannot hold the frame; off only to see it deadlock
   Progress progress;
 };
 
@@ -93,7 +94,7 @@ class Processor final : public sc_core::sc_module {
   MachineSpec spec_;
   PixelWindow window_;
   DatapathFormats formats_;
-  std::shared_ptr<const Tracer> tracer_;
+  std::shared_ptr<const Intersector> intersector_;
   ViewVectors view_vectors_;
   SceneContents contents_;
   PixelScan pixel_scan_;

@@ -4,16 +4,16 @@
 namespace pyrasim::hw {
 
 PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units,
-                                     const Scene& scene, Leaf leaf, int max_level)
+                                     const Scene& scene, EdgePolicy edge, int max_level)
     : StageOf(name),
       intersection_units("intersection_unit", units),
       timing_(timing),
       palette_(scene),
-      leaf_(leaf),
+      edge_policy_(edge),
       max_level_(max_level),
       window_(scene.camera.rendered()),
       columns_(static_cast<std::uint32_t>(window_.columns)),
-      corner_row_(static_cast<std::size_t>(columns_) + 1) {}
+      line_buffer_(static_cast<std::size_t>(columns_) + 1) {}
 
 PyramidClassifier::Plan PyramidClassifier::next(const Ends& ends, Cycle ready) const {
   Plan plan(ready);
@@ -33,10 +33,10 @@ PyramidClassifier::Plan PyramidClassifier::next(const Ends& ends, Cycle ready) c
 /// Returns whether the next sample is there: until then nothing is known.
 bool PyramidClassifier::plan_sample(Plan& plan) const {
   std::size_t unit = unit_;
-  if (reorder_buffer.bound()) {
-    plan.start.needs_token(*reorder_buffer);
-    if (reorder_buffer->empty()) return false;
-    unit = reorder_buffer->front().unit;
+  if (issue_order_queue.bound()) {
+    plan.start.needs_token(*issue_order_queue);
+    if (issue_order_queue->empty()) return false;
+    unit = issue_order_queue->front().unit;
   }
   plan.samples = &intersection_units[unit];
   plan.start.needs_token(*plan.samples);
@@ -53,8 +53,8 @@ bool PyramidClassifier::plan_sample(Plan& plan) const {
 
 PyramidClassifier::Node::Node(const PyramidClassifier& classifier, const SampleMessage& lower_right)
     : tag(lower_right.tag),
-      corners{classifier.upper_left_, classifier.corner_row_[classifier.column_],
-              classifier.corner_row_[classifier.column_ - 1], lower_right.sample},
+      corners{classifier.upper_left_, classifier.line_buffer_[classifier.column_],
+              classifier.line_buffer_[classifier.column_ - 1], lower_right.sample},
       which(classify(corners)),
       subdivide(subdivides(which, 0, classifier.max_level_)) {
   if (!subdivide) return;  // the address is of no use
@@ -93,13 +93,13 @@ void PyramidClassifier::take_sample(Fifo<SampleMessage>& samples, Cycle now) {
   if (message.subdivision) {
     middle_[samples_++] = message.sample;
   } else {
-    upper_left_ = corner_row_[column_];
-    corner_row_[column_] = message.sample;
+    upper_left_ = line_buffer_[column_];
+    line_buffer_[column_] = message.sample;
     if (++column_ > columns_) column_ = 0;
   }
   samples.pop(now);
-  if (reorder_buffer.bound()) {
-    reorder_buffer->pop(now);
+  if (issue_order_queue.bound()) {
+    issue_order_queue->pop(now);
   } else if (++unit_ == intersection_units.size()) {
     unit_ = 0;
   }
@@ -119,7 +119,8 @@ void PyramidClassifier::emit(Ends& ends, const Node& node, Cycle now) {
   ++counts_.terminal_nodes;
   ends.tree_accumulator.write_made(
       [&] {
-        return TerminalMessage{palette_.terminal_color(node.which, node.corners, leaf_), node.tag, node.pyramid.level};
+        return TerminalMessage{palette_.terminal_color(node.which, node.corners, edge_policy_), node.tag,
+                               node.pyramid.level};
       },
       now, timing_.latency);
 }

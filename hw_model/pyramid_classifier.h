@@ -15,21 +15,21 @@
 namespace pyrasim::hw {
 
 /// Puts samples together to pyramids and decides their case. Takes the samples in the order in which their rays were
-/// issued: from the units in turn, or as the reorder buffer says.
+/// issued: from the units in turn, or as the issue-order queue says.
 ///
-/// A corner of the raster completes at most one pixel, with three corners from one row of corner samples. Of the five
+/// A corner of the raster completes at most one pixel, with three corners from one line buffer. Of the five
 /// samples of a subdivision, the third completes the first subpixel, the fourth the second and the fifth the last two;
 /// so a family takes six firings. Terminal nodes go to the tree accumulator, nodes to subdivide to the controller.
 class PyramidClassifier final : public StageOf<PyramidClassifier> {
  public:
   FifoPorts<SampleMessage> intersection_units;
-  OptionalFifoPort<UnitNumber> reorder_buffer{"reorder_buffer"};  ///< from the generator; only under first_free
+  OptionalFifoPort<UnitNumber> issue_order_queue{"issue_order_queue"};  ///< from the generator; only under first_free
   OptionalFifoPort<NodeMessage> parents{"parents"};  ///< the nodes whose five samples are under way, in order
   OptionalFifoPort<NodeMessage> subdivision_controller{"subdivision_controller"};
   FifoPort<TerminalMessage> tree_accumulator{"tree_accumulator"};
 
   PyramidClassifier(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, const Scene& scene,
-                    Leaf leaf, int max_level);
+                    EdgePolicy edge, int max_level);
 
   int max_level() const { return max_level_; }
   /// Counts of cases, subdivisions and terminal nodes.
@@ -74,17 +74,17 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
 
   StageTiming timing_;
   Palette palette_;
-  Leaf leaf_;
+  EdgePolicy edge_policy_;
   int max_level_;
   PixelWindow window_;
-  std::uint32_t columns_;           ///< N_z of the window
-  std::size_t unit_ = 0;            ///< that the next sample comes from, where the units take turns
-  std::vector<Sample> corner_row_;  ///< the newest corner sample of each of the N_z + 1 columns
-  Sample upper_left_;               ///< and of the last column the one before
-  std::uint32_t column_ = 0;        ///< of the next corner
-  NodeMessage parent_;              ///< the node whose samples are arriving
-  SubdivisionSamples middle_;       ///< its samples so far
-  std::size_t samples_ = 0;         ///< how many of them; 5 while the last subpixel waits
+  std::uint32_t columns_;            ///< N_z of the window
+  std::size_t unit_ = 0;             ///< that the next sample comes from, where the units take turns
+  std::vector<Sample> line_buffer_;  ///< the newest corner sample of each of the N_z + 1 columns
+  Sample upper_left_;                ///< and of the last column the one before
+  std::uint32_t column_ = 0;         ///< of the next corner
+  NodeMessage parent_;               ///< the node whose samples are arriving
+  SubdivisionSamples middle_;        ///< its samples so far
+  std::size_t samples_ = 0;          ///< how many of them; 5 while the last subpixel waits
   FrameStatistics counts_;
 };
 

@@ -36,7 +36,7 @@ bool ViewVectorGenerator::request_goes_first(const Ends& ends, Cycle ready) cons
 /// `start`, once there is room for the ray.
 Start ViewVectorGenerator::with_room(Start start) const {
   if (!chooses_unit()) return start.needs_room(intersection_units[unit_]);
-  return start.needs_room(intersection_units[earliest_unit()]).needs_room(*reorder_buffer);
+  return start.needs_room(intersection_units[earliest_unit()]).needs_room(*issue_order_queue);
 }
 
 /// The unit that has room first.
@@ -91,7 +91,7 @@ void ViewVectorGenerator::issue(GridPoint point, std::uint32_t level, const Pixe
         return RayMessage{view_vector(point), point, tag, level > 0};
       },
       now, timing_.latency);
-  if (chooses_unit()) reorder_buffer->write({static_cast<std::uint32_t>(plan.unit)}, now, timing_.latency);
+  if (chooses_unit()) issue_order_queue->write({static_cast<std::uint32_t>(plan.unit)}, now, timing_.latency);
   unit_ = following(plan.unit);
 }
 

@@ -9,8 +9,8 @@
 #include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
 #include "hw_model/stage/stage_of.h"
-#include "trace/datapath_formats.h"
-#include "trace/view_vector.h"
+#include "intersect/datapath_formats.h"
+#include "intersect/view_vector.h"
 
 namespace pyrasim::hw {
 
@@ -22,7 +22,7 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   FifoPort<CornerRequest> pixel_scan{"pixel_scan"};
   OptionalFifoPort<SubdivisionRequest> subdivision_controller{"subdivision_controller"};
   FifoPorts<RayMessage> intersection_units;
-  OptionalFifoPort<UnitNumber> reorder_buffer{"reorder_buffer"};  ///< to the classifier; only under first_free
+  OptionalFifoPort<UnitNumber> issue_order_queue{"issue_order_queue"};  ///< to the classifier; only under first_free
 
   ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, Dispatch dispatch,
                       const ViewVectors& view_vectors, bool count_events, int max_level);

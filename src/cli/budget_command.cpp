@@ -156,7 +156,7 @@ struct BudgetCommand {
     if (fps) asked.spec.goal_fps = *fps;
     const Screen& screen = asked.scene.camera.screen;
     asked.options.max_level = parse_max_level(frame.max_level, screen);
-    asked.options.leaf = frame.leaf;
+    asked.options.edge = frame.edge;
     check_addressable(screen, asked.options.max_level);
     check_picture_fits(asked.scene.camera.rendered());
     asked.options.formats = frame.formats(screen, std::int64_t{1} << asked.options.max_level);

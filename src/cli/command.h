@@ -40,7 +40,7 @@ struct FrameOptions {
   std::string size;                   ///< "COLUMNSxROWS", or empty: as the scene says
   std::optional<std::string> window;  ///< "X,Y,COLUMNS,ROWS" of the screen
   std::string max_level = "3";        ///< a number or "auto"
-  Leaf leaf = Leaf::mean;
+  EdgePolicy edge = EdgePolicy::mean;
   std::string scalar = "double";
 
   /// Reads the scene, on the screen and window asked for; its warnings go to stderr.
@@ -50,11 +50,11 @@ struct FrameOptions {
   DatapathFormats formats(const Screen& screen, std::int64_t steps) const;
 };
 
-/// Adds SCENE, --size, --max-level and --leaf. --scalar and --window are the caller's choice.
+/// Adds SCENE, --size, --max-level and --edge. --scalar and --window are the caller's choice.
 void add_frame_options(const Command& command, FrameOptions& options);
 void add_scalar_option(const Command& command, std::string& scalar);
 void add_window_option(const Command& command, FrameOptions& options);
-void add_leaf_option(const Command& command, Leaf& leaf);
+void add_edge_option(const Command& command, EdgePolicy& edge);
 
 /// What the loader has to remark on a scene, on stderr, a line each.
 void print_warnings(const Scene& scene);

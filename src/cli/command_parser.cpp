@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "cli/nearest.h"
@@ -72,12 +73,23 @@ std::string unknown(const std::string& word, const std::string& what, const std:
   return fmt::format("{}: unknown {}{}", excerpt(word), what, meant ? fmt::format("; did you mean {}?", *meant) : ";");
 }
 
+/// Options that were called otherwise: the name then, and now.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 1> former_options{{{"--leaf", "--edge"}}};
+
+std::string unknown_option(const std::string& name, const std::vector<std::string>& known) {
+  for (const auto& [then, now] : former_options) {
+    if (name == then && std::find(known.begin(), known.end(), now) != known.end())
+      return fmt::format("{}: has another name now, {};", then, now);
+  }
+  return unknown(name, "option", known);
+}
+
 /// What nobody expected, by its likeliest cause: an option, or the name of a command.
 std::string unexpected(const CLI::App& app, const CLI::App& command) {
   const std::vector<std::string> words = app.remaining(true);
   const auto option = std::find_if(words.begin(), words.end(), [](const auto& word) { return word.starts_with('-'); });
   if (option != words.end()) {
-    return unknown(option->substr(0, option->find('=')), "option", option_names(command));
+    return unknown_option(option->substr(0, option->find('=')), option_names(command));
   }
   const std::vector<std::string> commands = command_names(command);
   if (!commands.empty()) return unknown(words.front(), "command", commands);

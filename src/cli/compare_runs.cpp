@@ -19,7 +19,7 @@ bool is_named(const json& element) {
 }
 
 constexpr std::array<std::string_view, 11> settings{"scene",           "columns", "rows",   "window", "method",
-                                                    "max_level",       "leaf",    "scalar", "engine", "machine.name",
+                                                    "max_level",       "edge",    "scalar", "engine", "machine.name",
                                                     "machine.settings"};
 
 /// What is asked most of a run comes first.

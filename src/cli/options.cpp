@@ -38,12 +38,12 @@ void add_frame_options(const Command& command, FrameOptions& options) {
   command.add_text("--max-level", options.max_level, "deepest level of subdivision, or auto: what the eye can tell")
       .type_name("L|auto")
       .show_default();
-  add_leaf_option(command, options.leaf);
+  add_edge_option(command, options.edge);
 }
 
-void add_leaf_option(const Command& command, Leaf& leaf) {
-  command.add_choice<Leaf>("--leaf", leaf, {{"mean", Leaf::mean}, {"drop", Leaf::drop}},
-                           "an edge at the deepest level: mean of its corners, or drop (background)");
+void add_edge_option(const Command& command, EdgePolicy& edge) {
+  command.add_choice<EdgePolicy>("--edge", edge, {{"mean", EdgePolicy::mean}, {"drop", EdgePolicy::drop}},
+                                 "an edge at the deepest level: mean of its corners, or drop (background)");
 }
 
 void add_scalar_option(const Command& command, std::string& scalar) {

@@ -27,7 +27,7 @@ struct RenderCommand {
   void run() const {
     const Scene scene = frame.load();
     Method chosen = parse_method(method);
-    chosen.pyramids = {parse_max_level(frame.max_level, scene.camera.screen), frame.leaf, reuse, threads};
+    chosen.pyramids = {parse_max_level(frame.max_level, scene.camera.screen), frame.edge, reuse, threads};
     chosen.sampling.seed = seed;
     const DatapathFormats formats = frame.formats(scene.camera.screen, chosen.grid_steps());
     OutputPlan plan;

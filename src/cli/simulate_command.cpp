@@ -32,7 +32,7 @@ struct SimulateCommand {
     const hw::MachineSpec spec = machine.load();
     hw::SimulationOptions options;
     options.max_level = parse_max_level(frame.max_level, scene.camera.screen);
-    options.leaf = frame.leaf;
+    options.edge = frame.edge;
     options.engine = engine;
     options.max_cycles = machine.max_cycles;
     options.threads = thread_count(threads);

@@ -14,11 +14,16 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json head(const std::string& scene, const Camera& camera, const std::string& method, int max_level,
-                  const DatapathFormats& formats, Leaf leaf) {
-  ordered_json document{
-      {"pyrasim", version()},     {"command", command_line()},        {"scene", scene},
-      {"method", method},         {"max_level", max_level},           {"leaf", leaf == Leaf::mean ? "mean" : "drop"},
-      {"scalar", formats.name()}, {"columns", camera.screen.columns}, {"rows", camera.screen.rows}};
+                  const DatapathFormats& formats, EdgePolicy edge) {
+  ordered_json document{{"pyrasim", version()},
+                        {"command", command_line()},
+                        {"scene", scene},
+                        {"method", method},
+                        {"max_level", max_level},
+                        {"edge", edge == EdgePolicy::mean ? "mean" : "drop"},
+                        {"scalar", formats.name()},
+                        {"columns", camera.screen.columns},
+                        {"rows", camera.screen.rows}};
   if (camera.window) {
     document["window"] = {{"x", camera.window->column},
                           {"y", camera.window->row},
@@ -188,7 +193,7 @@ ordered_json render_document(const std::string& scene, const Camera& camera, con
                              const DatapathFormats& formats, const Rendering& rendering) {
   const int max_level = method.pyramid ? method.pyramids.max_level : 0;
   const FrameStatistics& statistics = rendering.statistics;
-  ordered_json document = head(scene, camera, method.name(), max_level, formats, method.pyramids.leaf);
+  ordered_json document = head(scene, camera, method.name(), max_level, formats, method.pyramids.edge);
   add_counts(document, statistics, max_level);
   add_events(document, statistics.arithmetic, formats);
   const std::uint64_t none = statistics.primary_rays() + subdivision_rays * statistics.subdivisions;
@@ -201,7 +206,7 @@ ordered_json render_document(const std::string& scene, const Camera& camera, con
 ordered_json simulation_document(const std::string& scene, const Camera& camera, const hw::SimulationOptions& options,
                                  const hw::Processor& processor,
                                  const std::vector<std::unique_ptr<hw::Occupancy>>& occupancies) {
-  ordered_json document = head(scene, camera, "pyramid", options.max_level, options.formats, options.leaf);
+  ordered_json document = head(scene, camera, "pyramid", options.max_level, options.formats, options.edge);
   document["engine"] = options.engine == hw::Engine::decoupled ? "decoupled" : "lockstep";
   add_counts(document, processor.statistics(), options.max_level);
   add_events(document, processor.statistics().arithmetic, options.formats);

@@ -38,7 +38,7 @@ struct Measured {
 /// What every format is measured against: the frame in double.
 struct Reference {
   Image image;
-  std::shared_ptr<const Tracer> tracer;
+  std::shared_ptr<const Intersector> intersector;
 };
 
 struct NumericsStudy {
@@ -107,9 +107,9 @@ struct NumericsStudy {
   /// The renderer's picture, which is the machine's bit for bit.
   Reference make_reference(const Scene& scene, int max_level) const {
     Method pyramids;
-    pyramids.pyramids = {.max_level = max_level, .leaf = frame.leaf};
+    pyramids.pyramids = {.max_level = max_level, .edge = frame.edge};
     Reference reference{render(scene, pyramids, {}, threads, progress_bar("rendering in double")).image,
-                        make_tracer(scene)};
+                        make_intersector(scene)};
     stop_if_interrupted();
     return reference;
   }
@@ -127,11 +127,11 @@ struct NumericsStudy {
                    const Reference& reference, const Progress& progress) const {
     hw::SimulationOptions options;
     options.max_level = max_level;
-    options.leaf = frame.leaf;
+    options.edge = frame.edge;
     options.formats = {format, format};
     options.max_cycles = machine.max_cycles;
     options.progress = progress;
-    options.tracer = make_tracer(scene, format);
+    options.intersector = make_intersector(scene, format);
     hw::Processor processor("processor", scene, spec, options);
     run_simulation();
     hw::require_finished(processor);
@@ -140,7 +140,7 @@ struct NumericsStudy {
     events += statistics.arithmetic.intersection;
     return {changed_pixels(processor.image(), reference.image),
             psnr(processor.image(), reference.image),
-            decision_flips(scene, {*reference.tracer, {}}, {*options.tracer, format}, max_level, threads),
+            decision_flips(scene, {*reference.intersector, {}}, {*options.intersector, format}, max_level, threads),
             statistics.total_rays(),
             processor.cycles(),
             events};

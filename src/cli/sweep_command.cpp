@@ -32,7 +32,7 @@ namespace pyrasim::cli {
 namespace {
 
 constexpr std::string_view csv_header =
-    "pyrasim,scene,scene_sha256,machine,settings_sha256,set,columns,rows,max_level,leaf,reference,rays_primary,"
+    "pyrasim,scene,scene_sha256,machine,settings_sha256,set,columns,rows,max_level,edge,reference,rays_primary,"
     "rays_subdivision,rays_total,subdivisions,rmse,max_error,cycles,frames_per_second,reference_rays\n";
 constexpr std::size_t key_fields = 11;  ///< up to reference: what was run
 
@@ -48,9 +48,9 @@ struct Point {
   const SweptMachine* machine;
   Screen screen;
   int max_level;
-  Leaf leaf;
+  EdgePolicy edge;
 
-  const char* leaf_name() const { return leaf == Leaf::mean ? "mean" : "drop"; }
+  const char* edge_name() const { return edge == EdgePolicy::mean ? "mean" : "drop"; }
   std::string size() const { return fmt::format("{}x{}", screen.columns, screen.rows); }
   bool same_picture(const Point& other) const {
     return scene == other.scene && screen.columns == other.screen.columns && screen.rows == other.screen.rows;
@@ -60,7 +60,7 @@ struct Point {
 /// What the points of one scene on one screen share.
 struct Shared {
   Scene scene;
-  std::shared_ptr<const Tracer> tracer;
+  std::shared_ptr<const Intersector> intersector;
   std::optional<Rendering> truth;  ///< by the reference; none where nothing is measured
 };
 
@@ -68,7 +68,7 @@ struct SweepCommand {
   std::vector<std::string> scenes;
   std::string levels = "0:5";
   std::string sizes;
-  std::string leaves = "mean";
+  std::string edges = "mean";
   std::string reference = "grid:32";
   MachineOptions machine;
   std::string csv;
@@ -143,8 +143,8 @@ struct SweepCommand {
     for (const SweptScene& scene : loaded) {
       for (const Screen& screen : parse_sizes(sizes, scene.scene.camera.screen)) {
         for (const SweptMachine& swept : axes.machines) {
-          for (const Leaf leaf : parse_leaves(leaves)) {
-            for (const int level : parse_levels(levels)) points.push_back({&scene, &swept, screen, level, leaf});
+          for (const EdgePolicy edge : parse_edges(edges)) {
+            for (const int level : parse_levels(levels)) points.push_back({&scene, &swept, screen, level, edge});
           }
         }
       }
@@ -161,7 +161,7 @@ struct SweepCommand {
   /// For messages.
   std::string name_of(const Point& point, const MachineAxes& axes) const {
     std::string name =
-        fmt::format("{} pixels, MAX_LEVEL {}, leaf {}", point.size(), point.max_level, point.leaf_name());
+        fmt::format("{} pixels, MAX_LEVEL {}, edge {}", point.size(), point.max_level, point.edge_name());
     if (scenes.size() > 1) name = excerpt(point.scene->name) + ", " + name;
     for (std::size_t k = 0; k < axes.paths.size(); ++k) {
       name += fmt::format(", {} {}", excerpt(axes.paths[k]), excerpt(point.machine->values[k]));
@@ -182,14 +182,14 @@ struct SweepCommand {
             std::to_string(point.screen.columns),
             std::to_string(point.screen.rows),
             std::to_string(point.max_level),
-            point.leaf_name(),
+            point.edge_name(),
             reference};
   }
 
   static Shared prepare(const Point& point, const std::optional<Method>& peer) {
     Shared shared{point.scene->scene, nullptr, {}};
     shared.scene.camera.screen = point.screen;
-    shared.tracer = make_tracer(shared.scene);
+    shared.intersector = make_intersector(shared.scene);
     if (peer) shared.truth = render(shared.scene, *peer, {}, 0, progress_bar("reference"));
     stop_if_interrupted();
     return shared;
@@ -200,8 +200,8 @@ struct SweepCommand {
                        const Progress& progress) const {
     hw::SimulationOptions options;
     options.max_level = point.max_level;
-    options.leaf = point.leaf;
-    options.tracer = shared.tracer;
+    options.edge = point.edge;
+    options.intersector = shared.intersector;
     options.max_cycles = machine.max_cycles;
     options.progress = progress;
     hw::Processor processor("processor", shared.scene, point.machine->spec, options);
@@ -242,7 +242,7 @@ struct SweepCommand {
 
   std::string table_header(const MachineAxes& axes) const {
     std::string text = scenes.size() > 1 ? fmt::format("{:<{}} ", "scene", scene_width()) : "";
-    text += fmt::format("{:>11} {:>5} {:>4}", "size", "level", "leaf");
+    text += fmt::format("{:>11} {:>5} {:>4}", "size", "level", "edge");
     for (std::size_t k = 0; k < axes.paths.size(); ++k) {
       text += fmt::format(" {:>{}}", excerpt(axes.paths[k]), axis_width(axes, k));
     }
@@ -253,7 +253,7 @@ struct SweepCommand {
   std::string table_line(const Point& point, const MachineAxes& axes, const hw::Processor& processor,
                          const std::optional<ImageError>& error) const {
     std::string text = scenes.size() > 1 ? fmt::format("{:<{}} ", excerpt(point.scene->name), scene_width()) : "";
-    text += fmt::format("{:>11} {:>5} {:>4}", point.size(), point.max_level, point.leaf_name());
+    text += fmt::format("{:>11} {:>5} {:>4}", point.size(), point.max_level, point.edge_name());
     for (std::size_t k = 0; k < axes.paths.size(); ++k) {
       text += fmt::format(" {:>{}}", excerpt(point.machine->values[k]), axis_width(axes, k));
     }
@@ -279,13 +279,13 @@ void add_sweep_command(const Command& program) {
   auto options = std::make_shared<SweepCommand>();
   const Command command = program.add_command(
       "sweep",
-      "Simulate every combination of scene, size, setting, level and leaf, and measure each against a reference; a row "
+      "Simulate every combination of scene, size, setting, level and edge, and measure each against a reference; a row "
       "is written as soon as it is done.",
       [options] { options->run(); });
   command.add_arguments("SCENE", options->scenes, "scene files (JSON)").required();
   command.add_text("--max-level", options->levels, "levels").type_name("FIRST:LAST|L,L,...").show_default();
   command.add_text("--size", options->sizes, "screens; the scene's without it").type_name("COLUMNSxROWS,...");
-  command.add_text("--leaf", options->leaves, "mean, drop or both").type_name("mean,drop").show_default();
+  command.add_text("--edge", options->edges, "mean, drop or both").type_name("mean,drop").show_default();
   command.add_text("--reference", options->reference, "what errors are measured against, or none")
       .type_name("METHOD|none")
       .show_default();

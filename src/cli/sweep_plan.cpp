@@ -112,12 +112,12 @@ std::vector<int> parse_levels(const std::string& text) {
   return list;
 }
 
-std::vector<Leaf> parse_leaves(const std::string& text) {
-  std::vector<Leaf> list;
-  for (const std::string& leaf : split(text, ',')) {
-    if (leaf != "mean" && leaf != "drop")
-      throw UsageError("--leaf " + value_excerpt(leaf) + ": mean and drop are allowed");
-    list.push_back(leaf == "mean" ? Leaf::mean : Leaf::drop);
+std::vector<EdgePolicy> parse_edges(const std::string& text) {
+  std::vector<EdgePolicy> list;
+  for (const std::string& edge : split(text, ',')) {
+    if (edge != "mean" && edge != "drop")
+      throw UsageError("--edge " + value_excerpt(edge) + ": mean and drop are allowed");
+    list.push_back(edge == "mean" ? EdgePolicy::mean : EdgePolicy::drop);
   }
   return list;
 }

@@ -31,7 +31,7 @@ struct MachineAxes {
 /// "0:5" or "0,2,3". Throws UsageError.
 std::vector<int> parse_levels(const std::string& text);
 /// "mean,drop". Throws UsageError.
-std::vector<Leaf> parse_leaves(const std::string& text);
+std::vector<EdgePolicy> parse_edges(const std::string& text);
 /// "640x480,320x240"; empty: `screen` as it is. Throws UsageError.
 std::vector<Screen> parse_sizes(const std::string& text, const Screen& screen);
 

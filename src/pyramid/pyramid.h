@@ -6,8 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "pyramid/sample.h"
-#include "trace/view_vector.h"
+#include "raster/grid_point.h"
+#include "raster/sample.h"
+#include "scene/scene.h"
 
 namespace pyrasim {
 

@@ -13,7 +13,7 @@
 namespace pyrasim {
 
 /// What becomes of a case-3 subpixel at MAX_LEVEL (decision D2).
-enum class Leaf : std::uint8_t {
+enum class EdgePolicy : std::uint8_t {
   mean,  ///< a terminal node with the mean of its four corner samples
   drop,  ///< no node: its area counts as background, as the article's pseudo-code reads
 };
@@ -33,15 +33,15 @@ class Palette {
   }
 
   /// The integral colour over the pyramid (decision D6): for case 2 the object's colour times the mean shading of the
-  /// four corners, for case 1 the background, for case 3 at MAX_LEVEL as `leaf` says. Corners that face each other are
+  /// four corners, for case 1 the background, for case 3 at MAX_LEVEL as `edge` says. Corners that face each other are
   /// summed first: the mean of a mirrored or transposed pixel is the same, bit for bit.
-  FixedColor terminal_color(PyramidCase which, const CornerSamples& corners, Leaf leaf) const {
+  FixedColor terminal_color(PyramidCase which, const CornerSamples& corners, EdgePolicy edge) const {
     if (which == PyramidCase::covered) {
       const double shading =
           ((corners[0].shading + corners[3].shading) + (corners[1].shading + corners[2].shading)) / 4;
       return fixed(colors_[corners[0].object], shading, 4);
     }
-    if (which == PyramidCase::empty || leaf == Leaf::drop) return background_;
+    if (which == PyramidCase::empty || edge == EdgePolicy::drop) return background_;
     FixedColor sum{};
     for (const Sample& corner : corners) {
       const FixedColor part = sample_color(corner, 1);

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 
+#include "intersect/datapath_formats.h"
+#include "intersect/surface.h"
 #include "pyramid/classifier.h"
-#include "trace/datapath_formats.h"
-#include "trace/surface.h"
 
 namespace pyrasim {
 

@@ -13,19 +13,19 @@
 namespace pyrasim {
 namespace {
 
-template <class AnyTracer>
-Rendering render_with(const AnyTracer& tracer, const Scene& scene, const Method& method, const NumberFormat& format,
-                      int threads, const Progress& progress) {
+template <class AnyIntersector>
+Rendering render_with(const AnyIntersector& intersector, const Scene& scene, const Method& method,
+                      const NumberFormat& format, int threads, const Progress& progress) {
   if (method.pyramid) {
     PyramidOptions options = method.pyramids;
     options.threads = threads;
     options.view_vectors = format;
-    return render_pyramids(scene, tracer, options, progress);
+    return render_pyramids(scene, intersector, options, progress);
   }
-  SamplingOptions options = method.sampling;
+  BaselineOptions options = method.sampling;
   options.threads = threads;
   options.view_vectors = format;
-  return render_samples(scene, tracer, options, progress);
+  return render_baseline(scene, intersector, options, progress);
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ std::string Method::name() const {
 }
 
 std::int64_t Method::grid_steps() const {
-  return pyramid ? std::int64_t{1} << static_cast<unsigned>(pyramids.max_level) : sampling_steps(sampling);
+  return pyramid ? std::int64_t{1} << static_cast<unsigned>(pyramids.max_level) : baseline_steps(sampling);
 }
 
 Method parse_method(std::string_view name) {
@@ -65,10 +65,10 @@ Rendering render(const Scene& scene, const Method& method, const DatapathFormats
   if (method.pyramid) check_addressable(scene.camera.screen, method.pyramids.max_level);
   check_picture_fits(scene.camera.rendered());
   if (formats.plain()) {
-    return render_with(SceneTracer<double>(scene), scene, method, formats.view_vectors, threads, progress);
+    return render_with(SceneIntersector<double>(scene), scene, method, formats.view_vectors, threads, progress);
   }
-  const std::unique_ptr<Tracer> tracer = make_tracer(scene, formats.intersection);
-  return render_with(*tracer, scene, method, formats.view_vectors, threads, progress);
+  const std::unique_ptr<Intersector> intersector = make_intersector(scene, formats.intersection);
+  return render_with(*intersector, scene, method, formats.view_vectors, threads, progress);
 }
 
 void check_addressable(const Screen& screen, int max_level) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "render/sampling_renderer.h"
-#include "trace/datapath_formats.h"
+#include "intersect/datapath_formats.h"
+#include "render/baseline_renderer.h"
 
 namespace pyrasim {
 
@@ -14,7 +14,7 @@ namespace pyrasim {
 struct Method {
   bool pyramid = true;
   PyramidOptions pyramids;   ///< where pyramid
-  SamplingOptions sampling;  ///< otherwise
+  BaselineOptions sampling;  ///< otherwise
 
   /// "pyramid", "point", "grid:4", "jitter:4".
   std::string name() const;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "pyramid/trace_tree.h"
+#include "render/sample_at.h"
 #include "render/sample_cache.h"
-#include "render/trace_point.h"
 
 namespace pyrasim {
 namespace {
@@ -38,9 +38,9 @@ struct Seam {
 };
 
 /// What all threads read, and the seams by which they hand over.
-template <class AnyTracer>
+template <class AnyIntersector>
 struct Frame {
-  const AnyTracer& tracer;
+  const AnyIntersector& intersector;
   const PyramidOptions& options;
   Palette palette;
   ViewVectors view_vectors;
@@ -52,10 +52,10 @@ struct Frame {
 };
 
 /// Renders bands of rows; one for each thread.
-template <class AnyTracer>
+template <class AnyIntersector>
 class BandWorker {
  public:
-  explicit BandWorker(Frame<AnyTracer>& frame) : frame_(frame), max_level_(frame.options.max_level) {}
+  explicit BandWorker(Frame<AnyIntersector>& frame) : frame_(frame), max_level_(frame.options.max_level) {}
   BandWorker(const BandWorker&) = delete;
   BandWorker& operator=(const BandWorker&) = delete;
   ~BandWorker() {
@@ -80,12 +80,12 @@ class BandWorker {
   void render_band(int band) {
     first_row_ = band * band_rows;
     const int rows = std::min(band_rows, frame_.window.rows - first_row_);
-    if (band == 0) trace_corner_row(0);
+    if (band == 0) sample_corner_row(0);
     for (int k = 0; k <= rows; ++k) borders_[k].clear();
-    trace_corner_row(1);
+    sample_corner_row(1);
     if (band == 0) render_row(0);
     for (int k = 1; k < rows; ++k) {
-      trace_corner_row(k + 1);
+      sample_corner_row(k + 1);
       render_row(k);
     }
     if (band > 0 && rows > 1) hand_over(band, rows);
@@ -107,11 +107,11 @@ class BandWorker {
   }
 
   Sample trace(GridPoint point) {
-    return trace_point(frame_.tracer, frame_.view_vectors, point, statistics_.work, statistics_.arithmetic);
+    return sample_at(frame_.intersector, frame_.view_vectors, point, statistics_.work, statistics_.arithmetic);
   }
 
   /// Corners of row first_row_ + k: each traced once, however many pixels share it.
-  void trace_corner_row(int k) {
+  void sample_corner_row(int k) {
     auto& corners = corners_[k];
     corners.resize(static_cast<std::size_t>(frame_.window.columns) + 1);
     GridPoint point = pixel_corner(frame_.window, static_cast<std::uint32_t>(first_row_ + k), 0, max_level_);
@@ -142,7 +142,7 @@ class BandWorker {
     statistics_.count(which, 0);
     if (!subdivides(which, 0, max_level_)) {
       ++statistics_.terminal_nodes;
-      return single_node_result(frame_.palette.terminal_color(which, corners, frame_.options.leaf));
+      return single_node_result(frame_.palette.terminal_color(which, corners, frame_.options.edge));
     }
     interior_.clear();
     TraceTree tree;
@@ -170,7 +170,7 @@ class BandWorker {
       return;
     }
     ++statistics_.terminal_nodes;
-    tree.add_terminal_node(subpixel.level, frame_.palette.terminal_color(which, corners, frame_.options.leaf),
+    tree.add_terminal_node(subpixel.level, frame_.palette.terminal_color(which, corners, frame_.options.edge),
                            max_level_);
   }
 
@@ -196,7 +196,7 @@ class BandWorker {
     return *sample;
   }
 
-  Frame<AnyTracer>& frame_;
+  Frame<AnyIntersector>& frame_;
   const int max_level_;
   FrameStatistics statistics_;
   int first_row_ = 0;  ///< of the band, inside the window
@@ -211,14 +211,14 @@ class BandWorker {
 
 }  // namespace
 
-template <class AnyTracer>
-Rendering render_pyramids(const Scene& scene, const AnyTracer& tracer, const PyramidOptions& options,
+template <class AnyIntersector>
+Rendering render_pyramids(const Scene& scene, const AnyIntersector& intersector, const PyramidOptions& options,
                           const Progress& progress) {
   const Screen& screen = scene.camera.screen;
   const PixelWindow window = scene.camera.rendered();
   const int bands = (window.rows + band_rows - 1) / band_rows;
-  Frame<AnyTracer> frame{
-      .tracer = tracer,
+  Frame<AnyIntersector> frame{
+      .intersector = intersector,
       .options = options,
       .palette = Palette(scene),
       .view_vectors = ViewVectors(screen, std::int64_t{1} << options.max_level, options.view_vectors),
@@ -227,11 +227,12 @@ Rendering render_pyramids(const Scene& scene, const AnyTracer& tracer, const Pyr
       .seams = std::vector<Seam>(static_cast<std::size_t>(bands) + 1),
       .totals = {},
       .statistics = {}};
-  run_tasks<BandWorker<AnyTracer>>(bands, thread_count(options.threads), progress, frame);
+  run_tasks<BandWorker<AnyIntersector>>(bands, thread_count(options.threads), progress, frame);
   return {std::move(frame.image), frame.statistics};
 }
 
-template Rendering render_pyramids(const Scene&, const SceneTracer<double>&, const PyramidOptions&, const Progress&);
-template Rendering render_pyramids(const Scene&, const Tracer&, const PyramidOptions&, const Progress&);
+template Rendering render_pyramids(const Scene&, const SceneIntersector<double>&, const PyramidOptions&,
+                                   const Progress&);
+template Rendering render_pyramids(const Scene&, const Intersector&, const PyramidOptions&, const Progress&);
 
 }  // namespace pyrasim

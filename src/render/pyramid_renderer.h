@@ -3,10 +3,10 @@
 #pragma once
 
 #include "image/image.h"
+#include "intersect/scene_intersector.h"
 #include "pyramid/terminal_color.h"
 #include "render/frame_statistics.h"
 #include "render/parallel.h"
-#include "trace/scene_tracer.h"
 
 namespace pyrasim {
 
@@ -19,7 +19,7 @@ enum class Reuse : std::uint8_t {
 
 struct PyramidOptions {
   int max_level = 3;  ///< 0 to max_level_limit
-  Leaf leaf = Leaf::mean;
+  EdgePolicy edge = EdgePolicy::mean;
   Reuse reuse = Reuse::none;
   int threads = 0;                 ///< 0: one for each core. Results do not depend on it
   NumberFormat view_vectors = {};  ///< the format of view vectors
@@ -31,13 +31,13 @@ struct Rendering {
 };
 
 /// Renders the scene on its camera's screen, or on the window of it. Requires addressable(columns, rows, max_level).
-/// AnyTracer: Tracer, or SceneTracer<double> for speed.
-template <class AnyTracer>
-Rendering render_pyramids(const Scene& scene, const AnyTracer& tracer, const PyramidOptions& options,
+/// AnyIntersector: Intersector, or SceneIntersector<double> for speed.
+template <class AnyIntersector>
+Rendering render_pyramids(const Scene& scene, const AnyIntersector& intersector, const PyramidOptions& options,
                           const Progress& progress = {});
 
-extern template Rendering render_pyramids(const Scene&, const SceneTracer<double>&, const PyramidOptions&,
+extern template Rendering render_pyramids(const Scene&, const SceneIntersector<double>&, const PyramidOptions&,
                                           const Progress&);
-extern template Rendering render_pyramids(const Scene&, const Tracer&, const PyramidOptions&, const Progress&);
+extern template Rendering render_pyramids(const Scene&, const Intersector&, const PyramidOptions&, const Progress&);
 
 }  // namespace pyrasim

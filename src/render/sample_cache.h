@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "pyramid/sample.h"
-#include "trace/view_vector.h"
+#include "intersect/view_vector.h"
+#include "raster/sample.h"
 
 namespace pyrasim {
 

@@ -12,12 +12,12 @@ namespace {
 
 /// One of the two datapaths, on the frame's grid.
 struct Side {
-  const Tracer& tracer;
+  const Intersector& intersector;
   ViewVectors view_vectors;
 
   Sample sample(GridPoint point) const {
     Work work;
-    return tracer.trace(view_vectors(point), work);
+    return intersector.intersect(view_vectors(point), work);
   }
 
   std::vector<Sample> corner_row(std::uint32_t row, int columns, int max_level) const {
@@ -133,7 +133,7 @@ DecisionFlips decision_flips(const Scene& scene, const StudiedDatapath& referenc
                              int max_level, int threads) {
   const Screen& screen = scene.camera.screen;
   const auto side = [&](const StudiedDatapath& datapath) {
-    return Side{datapath.tracer, ViewVectors(screen, std::int64_t{1} << max_level, datapath.view_vectors)};
+    return Side{datapath.intersector, ViewVectors(screen, std::int64_t{1} << max_level, datapath.view_vectors)};
   };
   Comparison comparison{side(reference), side(studied), screen.columns, screen.rows, max_level, {}, {}};
   run_tasks<BandComparison>((screen.rows + band_rows - 1) / band_rows, thread_count(threads), {}, comparison);

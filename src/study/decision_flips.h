@@ -4,10 +4,11 @@
 
 #include <cstdint>
 
+#include "intersect/intersector.h"
+#include "intersect/view_vector.h"
 #include "numeric/number_format.h"
 #include "render/parallel.h"
 #include "scene/scene.h"
-#include "trace/tracer.h"
 
 namespace pyrasim {
 
@@ -28,9 +29,9 @@ struct DecisionFlips {
   friend bool operator==(const DecisionFlips&, const DecisionFlips&) = default;
 };
 
-/// A datapath: a tracer, and the format that view vectors are rounded to before.
+/// A datapath: an intersector, and the format that view vectors are rounded to before.
 struct StudiedDatapath {
-  const Tracer& tracer;
+  const Intersector& intersector;
   NumberFormat view_vectors;
 };
 

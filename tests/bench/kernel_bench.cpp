@@ -18,12 +18,12 @@ using namespace pyrasim;
 template <class Scalar>
 void trace(benchmark::State& state, const char* name) {
   const Scene scene = shipped_scene(name);
-  const SceneTracer<Scalar> tracer(scene);
+  const SceneIntersector<Scalar> intersector(scene);
   const ViewVectors view_vectors(scene.camera.screen, 1, FormatOf<Scalar>::value);
   Work work;
   GridPoint point;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(tracer.trace(view_vectors(point), work));
+    benchmark::DoNotOptimize(intersector.intersect(view_vectors(point), work));
     if (++point.column > static_cast<std::uint32_t>(scene.camera.screen.columns)) {
       point.column = 0;
       if (++point.row > static_cast<std::uint32_t>(scene.camera.screen.rows)) point.row = 0;
@@ -38,11 +38,11 @@ void trace_float(benchmark::State& state, const char* name) { trace<float>(state
 /// A whole frame; arguments: MAX_LEVEL and threads.
 void frame(benchmark::State& state, const char* name) {
   const Scene scene = shipped_scene(name);
-  const SceneTracer<double> tracer(scene);
-  const PyramidOptions options{static_cast<int>(state.range(0)), Leaf::mean, Reuse::none,
+  const SceneIntersector<double> intersector(scene);
+  const PyramidOptions options{static_cast<int>(state.range(0)), EdgePolicy::mean, Reuse::none,
                                static_cast<int>(state.range(1))};
   std::uint64_t rays = 0;
-  for (auto _ : state) rays += render_pyramids(scene, tracer, options).statistics.total_rays();
+  for (auto _ : state) rays += render_pyramids(scene, intersector, options).statistics.total_rays();
   state.counters["rays"] = benchmark::Counter(static_cast<double>(rays), benchmark::Counter::kIsRate);
 }
 

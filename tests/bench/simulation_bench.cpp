@@ -73,13 +73,13 @@ int run(const std::string& file, int max_level, int rounds, const std::string& s
   scene.camera.screen =
       resized(scene.camera.screen, std::stoi(size.substr(0, cross)), std::stoi(size.substr(cross + 1)));
   const hw::MachineSpec spec = hw::load_machine(std::nullopt, settings);
-  const SceneTracer<double> tracer(scene);
+  const SceneIntersector<double> intersector(scene);
   Times times;
   FrameStatistics frame;
   double begun = 0;
   const auto render = [&](int threads, double& best) {
     const double start = seconds_now();
-    frame = render_pyramids(scene, tracer, {max_level, Leaf::mean, Reuse::none, threads}).statistics;
+    frame = render_pyramids(scene, intersector, {max_level, EdgePolicy::mean, Reuse::none, threads}).statistics;
     keep_fastest(best, seconds_now() - start);
     begun = seconds_now();
   };

@@ -15,7 +15,7 @@ class Agreement(tool.EndToEnd):
 
     def test_render_and_simulate(self):
         for scene, *options in (
-                ["keel.json", "--size", "64x48"], ["spheres.json", "--size", "40x30", "--leaf", "drop"],
+                ["keel.json", "--size", "64x48"], ["spheres.json", "--size", "40x30", "--edge", "drop"],
                 ["fins.json", "--size", "48x36", "--max-level", "5"],
                 ["keel.json", "--size", "40x30", "--max-level", "0"],
                 ["keel.json", "--size", "33x17", "--scalar", "float", "--max-level", "2"],

@@ -190,7 +190,7 @@ class Budget(tool.EndToEnd):
             self.assertEqual((change["from"], change["to"], change["met"]), (value, value, False))
 
     def test_machine_file_and_other_options(self):
-        arguments = [*SMALL, "--machine", MACHINES / "small.json", "--scalar", "float", "--leaf", "drop"]
+        arguments = [*SMALL, "--machine", MACHINES / "small.json", "--scalar", "float", "--edge", "drop"]
         document = self.budget(*arguments, "--fps", 5000)
         self.assertEqual(document["cycles"], self.stats("simulate", *arguments)["machine"]["cycles"])
         self.assertEqual(document["machine"], "small")

@@ -45,8 +45,8 @@ class Commands(tool.EndToEnd):
                     ("--size", "0x0", "columns 0"), ("--size", "640", "COLUMNSxROWS"), ("--size", "8x", "rows"),
                     ("--size", "8x6x4", "6x4"), ("--size", "-8x6", "-8"), ("--size", "65536x1", "65536"),
                     ("--max-level", "x", "--max-level x"), ("--max-level", "-1", "-1"), ("--max-level", "17", "17"),
-                    ("--max-level", "2.5", "2.5"), ("--leaf", "median", "mean or drop"),
-                    ("--leaf", "0", "mean or drop"), ("--scalar", "half", "double or float"),
+                    ("--max-level", "2.5", "2.5"), ("--edge", "median", "mean or drop"),
+                    ("--edge", "0", "mean or drop"), ("--scalar", "half", "double or float"),
                     ("--scalar", "accumulation=fp24", "intersection=FORMAT is allowed"),
                     ("--scalar", "view_vectors=fp24,", "intersection=FORMAT is allowed"),
                     ("--scalar", "view_vectors=", "(empty)"), ("--scalar", "fix24.12", "multiples of 2^-13 are needed"),
@@ -68,10 +68,10 @@ class Commands(tool.EndToEnd):
     def test_a_long_value(self):
         """A message repeats 60 characters of it."""
         for arguments in ("{}", "{} x", "check {} {}", "study {}", "level --eye {}", "render SCENE --{}",
-                          "render SCENE --threads {}", "render SCENE --leaf {}", "render SCENE --method {}",
+                          "render SCENE --threads {}", "render SCENE --edge {}", "render SCENE --method {}",
                           "render SCENE --size {}", "render SCENE --size {}x1", "render SCENE --max-level {}",
                           "render SCENE --window {}", "render SCENE --window {},1,1,1", "render SCENE --scalar {}",
-                          "render SCENE --scalar {}={}", "sweep SCENE --leaf {}", "sweep SCENE --max-level {}",
+                          "render SCENE --scalar {}={}", "sweep SCENE --edge {}", "sweep SCENE --max-level {}",
                           "sweep SCENE --size {}", "sweep SCENE --reference {}", "study numerics SCENE --formats {}"):
             words = arguments.replace("{}", 999 * "k").replace("SCENE", str(KEEL)).split()
             self.refused(USAGE, *words, says="kkk\u2026")
@@ -79,10 +79,10 @@ class Commands(tool.EndToEnd):
     def test_empty_value(self):
         """An option whose value is empty, a shell's unset variable for one, is not an option that is not given."""
         scene = self.write("scene.json", tool.scene())
-        options = {"render": ("-o", "--stats", "--size", "--window", "--max-level", "--leaf", "--scalar", "--method",
+        options = {"render": ("-o", "--stats", "--size", "--window", "--max-level", "--edge", "--scalar", "--method",
                               "--reuse", "--seed", "--threads", "--png-bits", "--png-encoding"),
                    "simulate": ("-o", "--stats", "--trace", "--machine", "--set", "--max-cycles", "--engine"),
-                   "sweep": ("--csv", "--size", "--leaf", "--max-level", "--reference", "--machine"),
+                   "sweep": ("--csv", "--size", "--edge", "--max-level", "--reference", "--machine"),
                    "budget": ("--stats", "--machine", "--fps"), "level": ("--eye",)}
         for command, names in options.items():
             for name in names:
@@ -173,8 +173,14 @@ class Commands(tool.EndToEnd):
                 ("clock_mhz=NaN", "clock_mhz"), ("clock_mhz=1e999", "too large"), ("clock_mhz=", "value is missing"),
                 ("name.x=1", "/name"), ("intersection=4", "/intersection: it is the number 4")):
             self.refused(USAGE, "simulate", KEEL, "--set", assignment, "-o", "out.png", says=says)
-        for option, value in (("--max-level", "3:1"), ("--max-level", "0:17"), ("--max-level", "1,,2"), ("--leaf", "x"),
-                              ("--leaf", "mean,"), ("--size", "8x6,"), ("--size", "0x1")):
+        for then, now in (("--leaf=drop", "--leaf: has another name now, --edge;"),
+                          ("--set=intersection.reorder_buffer=8",
+                           "/intersection/reorder_buffer: has another name now; allowed: issue_order_queue"),
+                          ("--set=pyramid_classifier.corner_row=9",
+                           "/pyramid_classifier/corner_row: has another name now; allowed: line_buffer")):
+            self.refused(USAGE, "simulate", KEEL, then, says=now)
+        for option, value in (("--max-level", "3:1"), ("--max-level", "0:17"), ("--max-level", "1,,2"), ("--edge", "x"),
+                              ("--edge", "mean,"), ("--size", "8x6,"), ("--size", "0x1")):
             self.refused(USAGE, "sweep", KEEL, option, value, "--csv", "out.csv", says=option)
 
     def test_set(self):

@@ -185,7 +185,7 @@ class Interrupted(tool.EndToEnd):
         """Of a sweep and a study: in the file and on stdout, whole, whatever ends the run."""
         cheap = ",".join(["0"] * 3)
         runs = ((["sweep", EDGE, "--size", "2x2", "--reference", "point", "--max-level", cheap + ",16"],
-                 r"with 3 of 4 rows done, in 2x2 pixels, MAX_LEVEL 16, leaf mean"),
+                 r"with 3 of 4 rows done, in 2x2 pixels, MAX_LEVEL 16, edge mean"),
                 (["study", "numerics", EDGE, "--size", "2x2", "--max-level", "13"], r"with \d+ of 35 rows done, in \S+"))
         scene = self.write("edge.json", EDGE_SCENE)
         for arguments, how_far in runs:

@@ -38,7 +38,7 @@ class MaxCycles(tool.EndToEnd):
         cycles = self.stats("simulate", *SMALL)["machine"]["cycles"]
         run = self.run_tool(*sweep, "--max-cycles", cycles - 1)
         self.assertEqual(run.returncode, LIMIT)
-        self.assertRegex(run.stderr, r"\Apyrasim: 32x24 pixels, MAX_LEVEL 3, leaf mean \(1 of 2 rows done\): "
+        self.assertRegex(run.stderr, r"\Apyrasim: 32x24 pixels, MAX_LEVEL 3, edge mean \(1 of 2 rows done\): "
                                      rf"the frame is not finished within {cycles - 1} cycles\n  pixel_scan: ready at ")
         self.ok(*sweep, "--max-cycles", cycles)
 

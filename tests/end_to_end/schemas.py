@@ -113,7 +113,7 @@ class Schemas(tool.EndToEnd):
                 self.assertEqual(value[key], properties[key]["default"], key)
         self.assertEqual(default["frame_buffer"], {"interval": validator["properties"]["frame_buffer"]["properties"]["interval"]["default"]})
         for name in ("pixel_scan", "view_vector_generator", "pyramid_classifier"):
-            self.assertEqual(set(default[name]) - {"corner_row"}, {"latency", "interval"})
+            self.assertEqual(set(default[name]) - {"line_buffer"}, {"latency", "interval"})
             text = "Defaults: latency {latency}, interval {interval}.".format(**default[name])
             self.assertIn(text, validator["properties"][name]["description"])
         # Every setting shows in the document of a run that depends on it: same document, same settings.
@@ -133,7 +133,7 @@ class Schemas(tool.EndToEnd):
         small = ["--size", "24x18"]
         for arguments in (
                 ["render", keel, *small], ["render", keel, *small, "--max-level", "0"],
-                ["render", keel, *small, "--max-level", "auto", "--leaf", "drop", "--scalar", "float"],
+                ["render", keel, *small, "--max-level", "auto", "--edge", "drop", "--scalar", "float"],
                 ["render", keel, *small, "--scalar", "e8p12"],
                 ["simulate", keel, *small, "--scalar", "view_vectors=fix64.32,intersection=fp24"],
                 ["render", spheres, *small, "--reuse", "pixel"], ["render", spheres, *small, "--reuse", "frame"],
@@ -142,7 +142,7 @@ class Schemas(tool.EndToEnd):
                 ["render", keel, "--size", "2x2", "--max-level", "16"], ["render", empty],
                 ["simulate", keel, *small], ["simulate", keel, *small, "--engine", "lockstep", "--scalar", "float"],
                 ["render", keel, *small, "--window", "3,2,8,6"], ["simulate", keel, *small, "--window", "0,17,24,1"],
-                ["simulate", keel, *small, "--max-level", "0"], ["simulate", spheres, *small, "--leaf", "drop"],
+                ["simulate", keel, *small, "--max-level", "0"], ["simulate", spheres, *small, "--edge", "drop"],
                 ["simulate", spheres, *small, "--machine", MACHINES / "small.json"],
                 ["simulate", spheres, *small, "--machine", MACHINES / "wide.json"],
                 ["simulate", keel, *small, "--set", "goal_fps=1e5"], ["simulate", empty]):
@@ -184,7 +184,7 @@ class Schemas(tool.EndToEnd):
         validator = schema("statistics")
         keel = SCENES / "keel.json"
         both = [
-            (["pyrasim"], None), (["command"], None), (["extra"], 1), (["leaf"], "median"), (["scalar"], "half"),
+            (["pyrasim"], None), (["command"], None), (["extra"], 1), (["edge"], "median"), (["scalar"], "half"),
             (["method"], "grid:0"), (["rays", "total"], -1), (["rays", "total"], 1.5), (["rays", "by_level"], []),
             (["cases", "by_level", 0, "edge"], None), (["work", "surface_tests", "mesh"], 0),
             (["image", "sha256"], "0" * 63), (["image", "sha256"], "G" * 64), (["columns"], 0)]

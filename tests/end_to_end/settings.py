@@ -15,12 +15,12 @@ SCENE = tool.scene(
     columns=24, rows=18)
 
 # What a setting needs beside it to matter.
-BESIDE = {"intersection.reorder_buffer": ['intersection.dispatch="first_free"'],
+BESIDE = {"intersection.issue_order_queue": ['intersection.dispatch="first_free"'],
           "fifos.tree_accumulator_to_frame_buffer": ["frame_buffer.interval=20"]}
 LEAST = {"subdivision_controller.pool": 7}  # that MAX_LEVEL 3 takes
 STEP = 7
 # A size that is there or not: the frame that does not fit is refused, no other is changed.
-SIZES = {"pyramid_classifier.corner_row": 24 + 2}
+SIZES = {"pyramid_classifier.line_buffer": 24 + 2}
 
 
 def schema_leaves():

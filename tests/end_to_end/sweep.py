@@ -12,7 +12,7 @@ import subprocess
 import tool
 from tool import SCENES
 
-COLUMNS = ["pyrasim", "scene", "scene_sha256", "machine", "settings_sha256", "set", "columns", "rows", "max_level", "leaf",
+COLUMNS = ["pyrasim", "scene", "scene_sha256", "machine", "settings_sha256", "set", "columns", "rows", "max_level", "edge",
            "reference", "rays_primary", "rays_subdivision", "rays_total", "subdivisions", "rmse", "max_error", "cycles",
            "frames_per_second", "reference_rays"]
 KEEL = SCENES / "keel.json"
@@ -29,14 +29,14 @@ class Sweep(tool.EndToEnd):
         return rows
 
     def test_all_combinations(self):
-        rows = self.table("--max-level", "1,3", "--size", "32x24,48x36", "--leaf", "mean,drop", "--reference", "grid:4")
-        points = [(int(row["columns"]), int(row["rows"]), row["leaf"], int(row["max_level"])) for row in rows]
-        self.assertEqual(points, [(columns, lines, leaf, level) for columns, lines in ((32, 24), (48, 36))
-                                  for leaf in ("mean", "drop") for level in (1, 3)])
+        rows = self.table("--max-level", "1,3", "--size", "32x24,48x36", "--edge", "mean,drop", "--reference", "grid:4")
+        points = [(int(row["columns"]), int(row["rows"]), row["edge"], int(row["max_level"])) for row in rows]
+        self.assertEqual(points, [(columns, lines, edge, level) for columns, lines in ((32, 24), (48, 36))
+                                  for edge in ("mean", "drop") for level in (1, 3)])
         for row in rows:
             self.assertEqual(row["reference"], "grid:4")
             self.assertEqual(int(row["reference_rays"]), 16 * int(row["columns"]) * int(row["rows"]))
-            single = self.stats("simulate", KEEL, "--size", f"{row['columns']}x{row['rows']}", "--leaf", row["leaf"],
+            single = self.stats("simulate", KEEL, "--size", f"{row['columns']}x{row['rows']}", "--edge", row["edge"],
                                 "--max-level", row["max_level"])
             for key in ("primary", "subdivision", "total"):
                 self.assertEqual(int(row[f"rays_{key}"]), single["rays"][key])
@@ -66,7 +66,7 @@ class Sweep(tool.EndToEnd):
         self.assertNotIn("clock_mhz", header)
         self.assertRegex(lines[3], r"keel\.json +16x12 +1 mean +3 +8 ")
         run = self.run_tool(*arguments, "--max-cycles", "10")
-        self.assertIn("keel.json, 16x12 pixels, MAX_LEVEL 1, leaf mean, intersection.units 1, fifos.all 2 (0 of 8", run.stderr)
+        self.assertIn("keel.json, 16x12 pixels, MAX_LEVEL 1, edge mean, intersection.units 1, fifos.all 2 (0 of 8", run.stderr)
 
     def test_resume(self):
         """What a file holds is kept and not made again, whatever ended the run that made it; all the same in the end."""
@@ -167,7 +167,7 @@ class Sweep(tool.EndToEnd):
         whole = self.run_tool(*arguments, "--csv", "-").stdout
         cycles = sorted(int(row["cycles"]) for row in csv.DictReader(io.StringIO(whole)))
         limit = ["--max-cycles", cycles[-1] - 1]  # MAX_LEVEL 3 takes longest
-        says = r"\Apyrasim: 32x24 pixels, MAX_LEVEL 3, leaf mean \(2 of 4 rows done\): the frame is not finished within "
+        says = r"\Apyrasim: 32x24 pixels, MAX_LEVEL 3, edge mean \(2 of 4 rows done\): the frame is not finished within "
         self.write("out.csv", "old")
         for name in ("new.csv", "out.csv"):
             run = self.run_tool(*arguments, *limit, "--csv", name)
@@ -185,7 +185,7 @@ class Sweep(tool.EndToEnd):
         self.refused(tool.INPUT, *sweep, "--max-level", "0:4", "--set", "subdivision_controller.pool=9",
                      says="/subdivision_controller/pool: 9 cannot hold one pixel's tree at MAX_LEVEL 4")
         self.refused(tool.INPUT, *sweep, "--max-level", "0", "--size", "8x6,64x48", "--set",
-                     "pyramid_classifier.corner_row=10", says="/pyramid_classifier/corner_row: 10 cannot hold")
+                     "pyramid_classifier.line_buffer=10", says="/pyramid_classifier/line_buffer: 10 cannot hold")
         size = 65535
         if 24 * size * size > os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"):
             self.refused(tool.LIMIT, *sweep, "--max-level", "0", "--size", f"8x6,{size}x{size}",
@@ -205,7 +205,7 @@ class Sweep(tool.EndToEnd):
         run = subprocess.run([tool.PYRASIM, *arguments, "out.csv"], preexec_fn=limited, cwd=self.folder, text=True,
                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
         self.assertEqual(run.returncode, tool.RUN_FAILED, run.stderr)
-        self.assertRegex(run.stderr, r"\Apyrasim: 16x12 pixels, MAX_LEVEL 3, leaf mean \(3 of 6 rows done\): "
+        self.assertRegex(run.stderr, r"\Apyrasim: 16x12 pixels, MAX_LEVEL 3, edge mean \(3 of 6 rows done\): "
                                      r"out\.csv: cannot write: File too large\n\Z")
         self.assertEqual((self.folder / "out.csv").read_text(), "".join(rows[:4]))
 

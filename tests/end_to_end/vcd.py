@@ -75,7 +75,7 @@ class Trace(tool.EndToEnd):
         keel, spheres = SCENES / "keel.json", SCENES / "spheres.json"
         self.check(keel, "--size", "32x24")
         self.check(keel, "--size", "24x18", "--machine", MACHINES / "small.json", "--max-level", "5")
-        self.check(spheres, "--size", "24x18", "--machine", MACHINES / "wide.json", "--leaf", "drop")
+        self.check(spheres, "--size", "24x18", "--machine", MACHINES / "wide.json", "--edge", "drop")
         self.check(spheres, "--size", "17x11", "--max-level", "0")
         self.check(keel, "--size", "16x12", "--set", "fifos.all=1", "--set", "frame_buffer.interval=7")
         self.check(SCENES / "fins.json", "--size", "1x1")

@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "hw_model/message.h"
+#include "intersect/intersector.h"
+#include "intersect/view_vector.h"
 #include "pyramid/classifier.h"
-#include "trace/tracer.h"
-#include "trace/view_vector.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -73,9 +73,9 @@ struct Board {
   PixelWindow window;
   int max_level;
   ViewVectors view_vectors;
-  std::unique_ptr<Tracer> tracer;
+  std::unique_ptr<Intersector> intersector;
   bool has_controller;
-  bool has_reorder_buffer = spec.dispatch == Dispatch::first_free && spec.intersection_units > 1;
+  bool has_issue_order_queue = spec.dispatch == Dispatch::first_free && spec.intersection_units > 1;
 
   Fifo<CornerRequest> corners{spec.fifos.pixel_scan_to_view_vector_generator, spec.pixel_scan.latency};
   std::vector<Fifo<RayMessage>> rays{
@@ -83,7 +83,7 @@ struct Board {
       {spec.fifos.view_vector_generator_to_intersection_unit, spec.view_vector_generator.latency}};
   std::vector<Fifo<SampleMessage>> samples{
       spec.intersection_units, {spec.fifos.intersection_unit_to_pyramid_classifier, spec.intersection_latency}};
-  Fifo<std::size_t> order{spec.reorder_buffer, spec.view_vector_generator.latency};  ///< the reorder buffer
+  Fifo<std::size_t> order{spec.issue_order_queue, spec.view_vector_generator.latency};  ///< the issue-order queue
   Fifo<NodeMessage> nodes{spec.fifos.pyramid_classifier_to_subdivision_controller, spec.pyramid_classifier.latency};
   Fifo<SubdivisionRequest> requests{spec.fifos.subdivision_controller_to_view_vector_generator,
                                     spec.subdivision_controller.latency};
@@ -141,14 +141,14 @@ struct ViewVectorGenerator final : Box {
     const std::optional<std::size_t> unit = free_unit();
     if (!unit) return 0;
     board.rays[*unit].write(now, of_request ? request_ray(now) : corner_ray(now));
-    if (board.has_reorder_buffer) board.order.write(now, *unit);
+    if (board.has_issue_order_queue) board.order.write(now, *unit);
     turn = (*unit + 1) % board.rays.size();
     return board.spec.view_vector_generator.interval;
   }
 
   std::optional<std::size_t> free_unit() const {
-    if (board.has_reorder_buffer && !board.order.has_room()) return {};
-    const std::size_t candidates = board.has_reorder_buffer ? board.rays.size() : 1;
+    if (board.has_issue_order_queue && !board.order.has_room()) return {};
+    const std::size_t candidates = board.has_issue_order_queue ? board.rays.size() : 1;
     for (std::size_t k = 0; k < candidates; ++k) {
       const std::size_t unit = (turn + k) % board.rays.size();
       if (board.rays[unit].has_room()) return unit;
@@ -177,7 +177,7 @@ struct IntersectionUnit final : Box {
     if (!board.rays[number].readable(now) || !board.samples[number].has_room()) return 0;
     const RayMessage ray = board.rays[number].read(now);
     Work work;
-    const Sample sample = board.tracer->trace(ray.view_vector, work);
+    const Sample sample = board.intersector->intersect(ray.view_vector, work);
     const IntersectionCost& cost = board.spec.intersection_cost;
     Cycle busy = cost.ray + cost.box_test * work.box_tests;
     for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
@@ -190,7 +190,7 @@ struct IntersectionUnit final : Box {
 
 struct PyramidClassifier final : Box {
   using Box::Box;
-  std::size_t turn = 0;     ///< the unit of the next sample, where there is no reorder buffer
+  std::size_t turn = 0;     ///< the unit of the next sample, where there is no issue-order queue
   std::deque<Sample> row;   ///< the last N_z + 2 corners
   NodeMessage parent{};     ///< of the family under way
   std::size_t arrived = 0;  ///< of its samples; 0: no family is under way
@@ -208,13 +208,13 @@ struct PyramidClassifier final : Box {
   }
 
   bool next_sample(Cycle now) {
-    if (board.has_reorder_buffer && !board.order.readable(now)) return false;
-    Fifo<SampleMessage>& samples = board.samples[board.has_reorder_buffer ? board.order.head() : turn];
+    if (board.has_issue_order_queue && !board.order.readable(now)) return false;
+    Fifo<SampleMessage>& samples = board.samples[board.has_issue_order_queue ? board.order.head() : turn];
     if (!samples.readable(now)) return false;
     const SampleMessage& message = samples.head();
     if (!(message.subdivision ? family_sample(now, message.sample) : corner_sample(now, message))) return false;
     samples.read(now);
-    if (board.has_reorder_buffer) board.order.read(now);
+    if (board.has_issue_order_queue) board.order.read(now);
     turn = (turn + 1) % board.samples.size();
     return true;
   }
@@ -367,7 +367,7 @@ std::map<std::string, AnyFifo*> built_fifos(Board& board) {
     fifos["view_vector_generator_to_" + unit] = &board.rays[k];
     fifos[unit + "_to_pyramid_classifier"] = &board.samples[k];
   }
-  if (board.has_reorder_buffer) fifos["view_vector_generator_to_pyramid_classifier"] = &board.order;
+  if (board.has_issue_order_queue) fifos["view_vector_generator_to_pyramid_classifier"] = &board.order;
   if (board.has_controller) {
     fifos["pyramid_classifier_to_subdivision_controller"] = &board.nodes;
     fifos["subdivision_controller_to_view_vector_generator"] = &board.requests;
@@ -391,7 +391,7 @@ Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_lev
               scene.camera.rendered(),
               max_level,
               ViewVectors(scene.camera.screen, std::int64_t{1} << max_level, formats.view_vectors),
-              make_tracer(scene, formats.intersection),
+              make_intersector(scene, formats.intersection),
               max_level > 0 && !scene.objects.empty()};
   for (std::uint32_t slot = 0; slot < spec.pixels_in_flight; ++slot) board.slots.preload({slot});
   PixelScan scan(board);

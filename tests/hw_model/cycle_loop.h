@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hw_model/machine_spec.h"
+#include "intersect/datapath_formats.h"
 #include "scene/scene.h"
-#include "trace/datapath_formats.h"
 
 namespace pyrasim::hw {
 

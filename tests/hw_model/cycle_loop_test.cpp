@@ -114,11 +114,11 @@ TEST(CycleLoop, FirstFreePassesByASlowUnit) {
   EXPECT_EQ(FirstDifference(run_cycle_loop(slow_first_ray(), first_free_machine(), 0), expected).text(), "");
 }
 
-/// As before, but the reorder buffer is full with three rays under way: the fourth ray waits for its cell, which the
+/// As before, but the issue-order queue is full with three rays under way: the fourth ray waits for its cell, which the
 /// classifier reads at 13 and which is free from 14. By then both units are free, and the last three take turns.
 TEST(CycleLoop, FirstFreeWaitsForRoomInTheReorderBuffer) {
   MachineSpec spec = first_free_machine();
-  spec.reorder_buffer = 3;
+  spec.issue_order_queue = 3;
   const Timeline expected{
       21,
       {{"pixel_scan_to_view_vector_generator", {{0, 1, 2, 3, 4, 5}, {1, 2, 3, 14, 15, 16}}},
@@ -133,17 +133,17 @@ TEST(CycleLoop, FirstFreeWaitsForRoomInTheReorderBuffer) {
   EXPECT_EQ(FirstDifference(run_cycle_loop(slow_first_ray(), spec, 0), expected).text(), "");
 }
 
-/// With one unit there is nothing to choose, and no reorder buffer to be full.
+/// With one unit there is nothing to choose, and no issue-order queue to be full.
 TEST(CycleLoop, FirstFreeWithOneUnitIsRoundRobin) {
   MachineSpec spec = quick_machine();
-  spec.reorder_buffer = 1;
+  spec.issue_order_queue = 1;
   const Timeline round_robin = run_cycle_loop(slow_first_ray(), spec, 2);
   spec.dispatch = Dispatch::first_free;
   EXPECT_EQ(FirstDifference(run_cycle_loop(slow_first_ray(), spec, 2), round_robin).text(), "");
 }
 
 /// What holds for first_free on every machine: nothing stands still, every ray has its number in the
-/// reorder buffer at its own date, and every sample is read together with it.
+/// issue-order queue at its own date, and every sample is read together with it.
 TEST(CycleLoop, FirstFreeNumbersEveryRay) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(seed);

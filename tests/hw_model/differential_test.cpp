@@ -34,7 +34,7 @@ TEST_P(RandomMachines, EnginesAgreeInEveryAccount) {
     if (k % 3 == 0) scene.camera.window = random_window(random, scene.camera.screen);
     SimulationOptions options;
     options.max_level = static_cast<int>(random() % 6);
-    options.leaf = random() % 2 == 0 ? Leaf::mean : Leaf::drop;
+    options.edge = random() % 2 == 0 ? EdgePolicy::mean : EdgePolicy::drop;
     if (random() % 4 == 0) options.formats.intersection = FormatOf<float>::value;
     if (random() % 4 == 0) options.formats.view_vectors = FormatOf<Tf32>::value;
     const MachineSpec spec = random_machine(random, options.max_level);

@@ -148,10 +148,10 @@ TEST(RequiredPool, OneLessIsRefusedBeforeElaboration) {
 
 TEST(CornerRow, OneLessThanARowAndOneIsRefused) {
   MachineSpec spec;
-  spec.corner_row = 12;
+  spec.line_buffer = 12;
   check_machine_holds(spec, 0, 10);
   const std::string message = error_of<InputError>([&] { check_machine_holds(spec, 0, 11); });
-  EXPECT_TRUE(contains(message, "/pyramid_classifier/corner_row: 12 cannot hold")) << message;
+  EXPECT_TRUE(contains(message, "/pyramid_classifier/line_buffer: 12 cannot hold")) << message;
   EXPECT_TRUE(contains(message, "at least 13")) << message;
 }
 

@@ -18,7 +18,7 @@ inline MachineSpec random_machine(std::mt19937_64& random, int max_level) {
   spec.view_vector_generator = timing();
   spec.intersection_units = from(1, 16);
   spec.dispatch = random() % 2 == 0 ? Dispatch::round_robin : Dispatch::first_free;
-  spec.reorder_buffer = depth();
+  spec.issue_order_queue = depth();
   spec.intersection_latency = from(1, 64);
   spec.intersection_cost = {from(1, 8), from(0, 4), {from(0, 8), from(0, 8), from(0, 8)}};
   spec.pyramid_classifier = timing();

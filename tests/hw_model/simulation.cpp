@@ -21,7 +21,7 @@ void Simulation::run() {
 
 Rendering reference(const Scene& scene, const SimulationOptions& simulation) {
   Method method;
-  method.pyramids = {.max_level = simulation.max_level, .leaf = simulation.leaf};
+  method.pyramids = {.max_level = simulation.max_level, .edge = simulation.edge};
   return render(scene, method, simulation.formats, 1);
 }
 

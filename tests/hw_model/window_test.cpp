@@ -76,11 +76,11 @@ TEST(WindowOfAMachine, OfALargeScreen) {
 TEST(WindowOfAMachine, NeedsARowOfItsOwnCorners) {
   const Scene scene = seen_through(random_scene(71, {5, 5, 0}, 96, 64), {20, 30, 8, 6});
   MachineSpec spec;
-  spec.corner_row = 10;
+  spec.line_buffer = 10;
   Simulation simulation;
   const Trio machines(simulation, scene, spec, 2);
-  spec.corner_row = 9;
-  EXPECT_NE(error_of<InputError>([&] { simulation.add(scene, spec, {}); }).find("corner_row: 9"), std::string::npos);
+  spec.line_buffer = 9;
+  EXPECT_NE(error_of<InputError>([&] { simulation.add(scene, spec, {}); }).find("line_buffer: 9"), std::string::npos);
   simulation.run();
   machines.expect_agreement();
 }

@@ -6,13 +6,13 @@
 
 #include <thread>
 
+#include "intersect/box_test.h"
+#include "intersect/plane.h"
+#include "intersect/ray.h"
+#include "intersect/sphere.h"
+#include "intersect/triangle.h"
+#include "intersect/view_vector.h"
 #include "numeric/number_types.h"
-#include "trace/box_test.h"
-#include "trace/plane.h"
-#include "trace/ray.h"
-#include "trace/sphere.h"
-#include "trace/triangle.h"
-#include "trace/view_vector.h"
 
 namespace pyrasim {
 namespace {
@@ -55,7 +55,7 @@ void expect_hits() {
 /// A ray of slopes 0 and 0.5 through a box about it, past one beside it, along another's edge, and short of one.
 template <class Scalar>
 void expect_boxes_are_told_apart() {
-  SeenBoxes<Scalar> boxes{};
+  SlopeBoxes<Scalar> boxes{};
   const auto set = [&](std::size_t box, double depth, std::array<double, 4> slopes) {
     boxes.depth[box] = Scalar(depth);
     boxes.lower_y[box] = Scalar(slopes[0]);

@@ -16,42 +16,42 @@ Palette palette() {
   return Palette(scene);
 }
 
-glm::vec3 leaf_color(const CornerSamples& corners, Leaf leaf) {
-  return single_node_result(palette().terminal_color(classify(corners), corners, leaf));
+glm::vec3 edge_color(const CornerSamples& corners, EdgePolicy edge) {
+  return single_node_result(palette().terminal_color(classify(corners), corners, edge));
 }
 
 constexpr Sample nothing{};
 
 TEST(TerminalColor, EmptyIsTheBackground) {
-  for (const Leaf leaf : {Leaf::mean, Leaf::drop}) {
-    EXPECT_EQ(leaf_color({nothing, nothing, nothing, nothing}, leaf), glm::vec3(0.125, 0.25, 0.5));
+  for (const EdgePolicy edge : {EdgePolicy::mean, EdgePolicy::drop}) {
+    EXPECT_EQ(edge_color({nothing, nothing, nothing, nothing}, edge), glm::vec3(0.125, 0.25, 0.5));
   }
 }
 
 TEST(TerminalColor, CoveredIsTheColorTimesTheMeanShading) {
-  for (const Leaf leaf : {Leaf::mean, Leaf::drop}) {
+  for (const EdgePolicy edge : {EdgePolicy::mean, EdgePolicy::drop}) {
     // (1/2 + 1/4 + 1 + 1/4) / 4 = 1/2
-    EXPECT_EQ(leaf_color({{{0, 0.5}, {0, 0.25}, {0, 1}, {0, 0.25}}}, leaf), glm::vec3(0.5, 0.25, 0));
+    EXPECT_EQ(edge_color({{{0, 0.5}, {0, 0.25}, {0, 1}, {0, 0.25}}}, edge), glm::vec3(0.5, 0.25, 0));
   }
 }
 
 TEST(TerminalColor, EdgeIsTheMeanOfTheFourSamples) {
   // One of object 0 at half brightness, two of object 1, one of the background:
   // red (1/2 + 0 + 0 + 1/8) / 4, green (1/4 + 1/4 + 1/4 + 1/4) / 4, blue (0 + 3/4 + 3/4 + 1/2) / 4
-  EXPECT_EQ(leaf_color({{{0, 0.5}, {1, 1}, {1, 1}, nothing}}, Leaf::mean), glm::vec3(0.15625, 0.25, 0.5));
+  EXPECT_EQ(edge_color({{{0, 0.5}, {1, 1}, {1, 1}, nothing}}, EdgePolicy::mean), glm::vec3(0.15625, 0.25, 0.5));
 }
 
 TEST(TerminalColor, DroppedEdgeIsTheBackground) {
-  EXPECT_EQ(leaf_color({{{0, 0.5}, {1, 1}, {1, 1}, nothing}}, Leaf::drop), glm::vec3(0.125, 0.25, 0.5));
+  EXPECT_EQ(edge_color({{{0, 0.5}, {1, 1}, {1, 1}, nothing}}, EdgePolicy::drop), glm::vec3(0.125, 0.25, 0.5));
 }
 
 /// Sums of the four corners do not depend on which corner is which.
 TEST(TerminalColor, EdgeDoesNotDependOnTheOrderOfCorners) {
   CornerSamples corners{{{0, 0.3}, {1, 0.7}, {0, 0.1}, nothing}};
-  const glm::vec3 expected = leaf_color(corners, Leaf::mean);
+  const glm::vec3 expected = edge_color(corners, EdgePolicy::mean);
   for (int k = 0; k < 4; ++k) {
     std::rotate(corners.begin(), corners.begin() + 1, corners.end());
-    EXPECT_EQ(leaf_color(corners, Leaf::mean), expected);
+    EXPECT_EQ(edge_color(corners, EdgePolicy::mean), expected);
   }
 }
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "../test_scenes.h"
+#include "render/baseline_renderer.h"
 #include "render/pyramid_renderer.h"
-#include "render/sampling_renderer.h"
 #include "scene/scene.h"
 
 namespace pyrasim {
@@ -30,9 +30,9 @@ struct Seen {
 
 /// Of a picture with one ray through each pixel's centre.
 Seen seen(const Scene& scene, const NumberFormat& format) {
-  const auto tracer = make_tracer(scene, format);
+  const auto intersector = make_intersector(scene, format);
   Seen seen;
-  const Image image = render_samples(scene, *tracer, {.threads = 1, .view_vectors = format}).image;
+  const Image image = render_baseline(scene, *intersector, {.threads = 1, .view_vectors = format}).image;
   for (const glm::vec3& pixel : image.pixels()) {
     seen.red += pixel == glm::vec3(red) ? 1 : 0;
     seen.other += pixel == glm::vec3(red) || pixel == glm::vec3(0) ? 0 : 1;
@@ -73,7 +73,7 @@ TEST(OnePlace, IsThatOfTheFirst) {
 TEST(OnePlace, CostsNoSubdivisions) {
   const PyramidOptions options{.max_level = 3, .threads = 1};
   const auto statistics = [&](const Scene& scene) {
-    return render_pyramids(scene, *make_tracer(scene, {}), options).statistics;
+    return render_pyramids(scene, *make_intersector(scene, {}), options).statistics;
   };
   const auto rotated = statistics(scene_of(Triangle{{{a, b, c}}}, {Triangle{{{b, c, a}}}}));
   const auto identical = statistics(scene_of(Triangle{{{a, b, c}}}, {Triangle{{{a, b, c}}}}));

@@ -15,7 +15,7 @@ namespace pyrasim {
 namespace {
 
 Rendering render(const Scene& scene, const PyramidOptions& options) {
-  return render_pyramids(scene, SceneTracer<double>(scene), options);
+  return render_pyramids(scene, SceneIntersector<double>(scene), options);
 }
 
 /// Rays and terminal nodes as the numbers of pixels and subdivisions demand, under reuse none.
@@ -101,7 +101,7 @@ TEST(PyramidRenderer, UprightEdgeDoublesItsSubpixelsWithEveryLevel) {
     const Rendering rendering = render(scene, {.max_level = max_level});
     EXPECT_EQ(rendering.statistics.subdivisions, 6U * ((1U << max_level) - 1));
     expect_closed_forms(scene, rendering.statistics);
-    // Coverage 1/3 of the pixel, off by at most half a subpixel under leaf=mean.
+    // Coverage 1/3 of the pixel, off by at most half a subpixel under edge=mean.
     const double red = 0.125 + 0.875 / 3;
     EXPECT_NEAR(rendering.image.at(2, 3).x, red, 0.875 * std::ldexp(0.5, -max_level) + 1e-7) << max_level;
   }
@@ -163,8 +163,8 @@ TEST(PyramidRenderer, ClosedFormsAtEveryMaxLevel) {
 TEST(PyramidRenderer, SinglePrecisionIsClose) {
   const Scene scene = random_scene(24, {20, 20, 0}, 40, 30);
   const Rendering wide = render(scene, {});
-  const Rendering narrow =
-      render_pyramids(scene, *make_tracer(scene, FormatOf<float>::value), {.view_vectors = FormatOf<float>::value});
+  const Rendering narrow = render_pyramids(scene, *make_intersector(scene, FormatOf<float>::value),
+                                           {.view_vectors = FormatOf<float>::value});
   expect_closed_forms(scene, narrow.statistics);
   EXPECT_LT(image_error(narrow.image, wide.image).rmse, 1e-3);
 }
@@ -172,7 +172,7 @@ TEST(PyramidRenderer, SinglePrecisionIsClose) {
 TEST(PyramidRenderer, ProgressEndsAtOne) {
   const Scene scene = random_scene(25, {2, 2, 0}, 9, 30);
   double last = 0;
-  render_pyramids(scene, SceneTracer<double>(scene), {.threads = 2}, [&](double share) {
+  render_pyramids(scene, SceneIntersector<double>(scene), {.threads = 2}, [&](double share) {
     EXPECT_GE(share, last);
     last = share;
     return true;
@@ -185,7 +185,7 @@ TEST(PyramidRenderer, ProgressCanStopIt) {
   const Scene scene = random_scene(26, {2, 2, 0}, 20, 200);
   for (int round = 0; round < 20; ++round) {
     int reports = 0;
-    render_pyramids(scene, SceneTracer<double>(scene), {.threads = 4}, [&](double) {
+    render_pyramids(scene, SceneIntersector<double>(scene), {.threads = 4}, [&](double) {
       ++reports;
       return false;
     });
@@ -194,17 +194,17 @@ TEST(PyramidRenderer, ProgressCanStopIt) {
 }
 
 /// Runs out of memory in the ray `rays`.
-class ExhaustedTracer final : public Tracer {
+class ExhaustedTracer final : public Intersector {
  public:
   ExhaustedTracer(const Scene& scene, int rays) : scene_(scene), rays_(rays) {}
-  Sample trace(const glm::dvec3& view_vector, Work& work) const override {
+  Sample intersect(const glm::dvec3& view_vector, Work& work) const override {
     if (rays_-- == 0) throw std::bad_alloc();
     return scene_.trace(view_vector, work);
   }
   SceneContents contents() const override { return scene_.contents(); }
 
  private:
-  SceneTracer<double> scene_;
+  SceneIntersector<double> scene_;
   mutable std::atomic<int> rays_;
 };
 
@@ -214,8 +214,9 @@ TEST(PyramidRenderer, ErrorsOfAThreadAreThrown) {
     const Scene scene = random_scene(26, {2, 2, 0}, columns, 8 * 12 + 1);
     const auto all = static_cast<int>(render(scene, {.max_level = 1}).statistics.total_rays());
     for (int rays = 0; rays < all; rays += all / 40) {
-      const ExhaustedTracer tracer(scene, rays);
-      EXPECT_THROW(render_pyramids<Tracer>(scene, tracer, {.max_level = 1, .threads = 4}, {}), std::bad_alloc) << rays;
+      const ExhaustedTracer intersector(scene, rays);
+      EXPECT_THROW(render_pyramids<Intersector>(scene, intersector, {.max_level = 1, .threads = 4}, {}), std::bad_alloc)
+          << rays;
     }
   }
 }

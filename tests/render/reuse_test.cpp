@@ -11,7 +11,7 @@ namespace pyrasim {
 namespace {
 
 Rendering render(const Scene& scene, const PyramidOptions& options) {
-  return render_pyramids(scene, SceneTracer<double>(scene), options);
+  return render_pyramids(scene, SceneIntersector<double>(scene), options);
 }
 
 Scene unlit_scene(std::uint64_t seed, const RandomContents& contents, int columns, int rows) {
@@ -24,10 +24,10 @@ TEST(NaiveRenderer, AgreesWithTheRenderer) {
   for (std::uint64_t seed = 31; seed <= 36; ++seed) {
     const Scene scene = unlit_scene(seed, {8, 8, seed % 2 == 0 ? 1 : 0}, 24, 19);
     for (const int max_level : {0, 1, 3, 5}) {
-      for (const Leaf leaf : {Leaf::mean, Leaf::drop}) {
-        NaiveRenderer naive(scene, max_level, leaf == Leaf::drop);
+      for (const EdgePolicy edge : {EdgePolicy::mean, EdgePolicy::drop}) {
+        NaiveRenderer naive(scene, max_level, edge == EdgePolicy::drop);
         naive.render();
-        const Rendering rendering = render(scene, {.max_level = max_level, .leaf = leaf});
+        const Rendering rendering = render(scene, {.max_level = max_level, .edge = edge});
         EXPECT_LT(image_error(rendering.image, naive.image).maximum, 1e-6) << seed << " " << max_level;
         EXPECT_EQ(rendering.statistics.total_rays(), naive.rays);
         EXPECT_EQ(rendering.statistics.subdivisions, naive.subdivisions);

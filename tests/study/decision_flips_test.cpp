@@ -4,15 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "../test_scenes.h"
+#include "intersect/scene_intersector.h"
 #include "numeric/number_types.h"
 #include "render/pyramid_renderer.h"
-#include "trace/scene_tracer.h"
 
 namespace pyrasim {
 namespace {
 
 /// A half-plane of objects: everything above the row `row` of a screen of 4 x 4 pixels belongs to an object.
-class HalfPlane final : public Tracer {
+class HalfPlane final : public Intersector {
  public:
   explicit HalfPlane(double slope) : slope_(slope) {}
   Sample trace(const glm::dvec3& view_vector, Work&) const override {
@@ -57,7 +57,7 @@ TEST(DecisionFlips, SubdivisionsOfOneSideCountToTheDeepestLevel) {
 }
 
 TEST(DecisionFlips, AnotherObjectIsAnotherDecision) {
-  class Everywhere final : public Tracer {
+  class Everywhere final : public Intersector {
    public:
     explicit Everywhere(std::uint32_t object) : object_(object) {}
     Sample trace(const glm::dvec3&, Work&) const override { return {object_, 1}; }
@@ -85,19 +85,19 @@ TEST(DecisionFlips, ViewVectorsAreRoundedToTheirFormat) {
 TEST(DecisionFlips, ExtraLessLostIsTheDifferenceOfSubdivisions) {
   const Scene scene = random_scene(7, {30, 30, 1}, 50, 37);
   constexpr int max_level = 3;
-  const auto exact = make_tracer(scene);
+  const auto exact = make_intersector(scene);
   const PyramidOptions options{.max_level = max_level};
   const std::uint64_t reference = render_pyramids(scene, *exact, options).statistics.subdivisions;
   int differing = 0;
   for (const char* name : {"float", "fp24", "bf16", "fix64.16", "fix32.20"}) {
     const NumberFormat format = parse_number_format(name);
-    const auto tracer = make_tracer(scene, format);
+    const auto intersector = make_intersector(scene, format);
     const FrameStatistics studied =
-        render_pyramids(scene, *tracer, {.max_level = max_level, .view_vectors = format}).statistics;
-    const DecisionFlips flips = decision_flips(scene, {*exact, {}}, {*tracer, format}, max_level, 1);
+        render_pyramids(scene, *intersector, {.max_level = max_level, .view_vectors = format}).statistics;
+    const DecisionFlips flips = decision_flips(scene, {*exact, {}}, {*intersector, format}, max_level, 1);
     EXPECT_EQ(reference + flips.extra_subdivisions - flips.lost_subdivisions, studied.subdivisions) << name;
     EXPECT_GE(flips.flipped, flips.lost_subdivisions > 0 ? 1U : 0U) << name;
-    EXPECT_EQ(flips, decision_flips(scene, {*exact, {}}, {*tracer, format}, max_level, 3)) << name;
+    EXPECT_EQ(flips, decision_flips(scene, {*exact, {}}, {*intersector, format}, max_level, 3)) << name;
     differing += flips.extra_subdivisions + flips.lost_subdivisions > 0 ? 1 : 0;
   }
   EXPECT_GE(differing, 3);

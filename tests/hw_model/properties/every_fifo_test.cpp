@@ -36,7 +36,7 @@ std::size_t depth_of(const MachineSpec& spec, const std::string& fifo) {
   const FifoDepths& depths = spec.fifos;
   if (starts_with(fifo, "pixel_scan_to")) return depths.pixel_scan_to_view_vector_generator;
   if (starts_with(fifo, "view_vector_generator_to_i")) return depths.view_vector_generator_to_intersection_unit;
-  if (starts_with(fifo, "view_vector_generator_to_p")) return spec.reorder_buffer;
+  if (starts_with(fifo, "view_vector_generator_to_p")) return spec.issue_order_queue;
   if (starts_with(fifo, "intersection_unit")) return depths.intersection_unit_to_pyramid_classifier;
   if (starts_with(fifo, "pyramid_classifier_to_s")) return depths.pyramid_classifier_to_subdivision_controller;
   if (starts_with(fifo, "pyramid_classifier_to_t")) return depths.pyramid_classifier_to_tree_accumulator;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* corners = "pixel_scan_to_view_vector_generator";
 constexpr const char* requests = "subdivision_controller_to_view_vector_generator";
-constexpr const char* reorder_buffer = "view_vector_generator_to_pyramid_classifier";
+constexpr const char* issue_order_queue = "view_vector_generator_to_pyramid_classifier";
 
 /// Units that are often full.
 MachineSpec first_free_machine(std::size_t units, std::size_t depth) {
@@ -156,7 +156,7 @@ TEST(FirstFree, WaitsForTheFirstUnitWithRoomAndNoLonger) {
   std::vector<Frame> frames;
   for (const std::size_t size : {2, 32}) {
     frames.push_back({random_scene(22, {30, 30, 0}, 12, 9), first_free_machine(3, 1)});
-    frames.back().spec.reorder_buffer = size;
+    frames.back().spec.issue_order_queue = size;
   }
   for (const Dated& frame : dates_of(frames)) {
     SCOPED_TRACE(frame.name);
@@ -169,7 +169,7 @@ TEST(FirstFree, WaitsForTheFirstUnitWithRoomAndNoLonger) {
         first_room = std::min(first_room, room_for(frame.fifo(rays_to(unit)), sent[unit], 1));
       }
       const Cycle corner = frame.fifo(corners).writes[k] + frame.spec.pixel_scan.latency;
-      const Cycle number = room_for(frame.fifo(reorder_buffer), k, frame.spec.reorder_buffer);
+      const Cycle number = room_for(frame.fifo(issue_order_queue), k, frame.spec.issue_order_queue);
       ASSERT_EQ(rays[k].sent, std::max({ready, corner, first_room, number})) << "ray " << k;
       ready = rays[k].sent + frame.spec.view_vector_generator.interval;
       ++sent[rays[k].unit];
@@ -181,7 +181,7 @@ TEST(FirstFree, HasAtMostSoManyRaysUnderWayAsTheReorderBufferHolds) {
   std::vector<Frame> frames;
   for (const std::size_t size : {1, 2, 6}) {
     frames.push_back({scene_with_edges(), first_free_machine(4, 8), 3});
-    frames.back().spec.reorder_buffer = size;
+    frames.back().spec.issue_order_queue = size;
   }
   for (const Dated& frame : dates_of(frames)) {
     SCOPED_TRACE(frame.name);
@@ -192,7 +192,7 @@ TEST(FirstFree, HasAtMostSoManyRaysUnderWayAsTheReorderBufferHolds) {
       while (rays[classified].classified < rays[k].sent) ++classified;
       most = std::max(most, k + 1 - classified);
     }
-    EXPECT_EQ(most, frame.spec.reorder_buffer);
+    EXPECT_EQ(most, frame.spec.issue_order_queue);
   }
 }
 

@@ -25,16 +25,16 @@ TEST(ExtremesBoxFaces, RaysInThemMissNothing) {
   const Scene scene = lattice();
   for (const NumberFormat& format : number_formats()) {
     SCOPED_TRACE(format.name());
-    const auto tracer = make_tracer(scene, format);
-    const auto exhaustive = make_tracer(scene, format, Search::exhaustive);
-    ASSERT_GT(tracer->contents().inner_nodes, 1U);
+    const auto intersector = make_intersector(scene, format);
+    const auto exhaustive = make_intersector(scene, format, Search::exhaustive);
+    ASSERT_GT(intersector->contents().inner_nodes, 1U);
     int hits = 0;
     for (int y = -16; y <= 16; ++y) {
       for (int z = -16; z <= 16; ++z) {
         for (const double zero : {0.0, -0.0}) {
           const glm::dvec3 v(1, y == 0 ? zero : y / 16.0, z == 0 ? zero : z / 16.0);
           Work work;
-          const Sample sample = tracer->trace(v, work);
+          const Sample sample = intersector->intersect(v, work);
           ASSERT_EQ(sample, exhaustive->trace(v, work)) << y << " " << z;
           hits += sample.object == no_object ? 0 : 1;
         }

@@ -24,11 +24,11 @@ TEST(ExtremesCoincident, TheFirstIsSeenInEveryFormat) {
     const Scene scene = with_copies(surface, 40);
     for (const NumberFormat& format : number_formats()) {
       SCOPED_TRACE(format.name());
-      const auto tracer = make_tracer(scene, format);
+      const auto intersector = make_intersector(scene, format);
       int seen = 0;
       for (int k = 0; k < 200; ++k) {
         Work work;
-        const auto object = tracer->trace({1, 0.02 * (k / 14 - 7), 0.02 * (k % 14 - 7)}, work).object;
+        const auto object = intersector->intersect({1, 0.02 * (k / 14 - 7), 0.02 * (k % 14 - 7)}, work).object;
         if (object == no_object || object % 5 == 4) continue;  // one of the small ones, or none
         ASSERT_EQ(object, 0U) << k;
         ++seen;
@@ -41,9 +41,9 @@ TEST(ExtremesCoincident, TheFirstIsSeenInEveryFormat) {
 TEST(ExtremesCoincident, TenThousandOfThem) {
   const Scene scene = with_copies(surfaces[0], 8000);  // and 2000 others
   for (const char* name : {"double", "float", "fp16", "fp24", "fix32.16"}) {
-    const auto tracer = make_tracer(scene, parse_number_format(name));
+    const auto intersector = make_intersector(scene, parse_number_format(name));
     Work work;
-    for (const double y : {0.0, 0.1, -0.1}) EXPECT_EQ(tracer->trace({1, y, 0}, work).object, 0U) << name;
+    for (const double y : {0.0, 0.1, -0.1}) EXPECT_EQ(intersector->intersect({1, y, 0}, work).object, 0U) << name;
     EXPECT_GE(work.surface_tests[0], 24000U);
   }
 }
@@ -61,12 +61,12 @@ TEST(ExtremesCoincident, TheHierarchyDoesNotDecide) {
       scene.objects.push_back(
           object(Triangle{{place - glm::dvec3(0, 1, 1), place + glm::dvec3(0, 2, 0), place + glm::dvec3(0, 0, 2)}}));
     }
-    const auto tracer = make_tracer(scene, format);
-    const auto exhaustive = make_tracer(scene, format, Search::exhaustive);
+    const auto intersector = make_intersector(scene, format);
+    const auto exhaustive = make_intersector(scene, format, Search::exhaustive);
     for (int k = 0; k < 1000; ++k) {
       const glm::dvec3 v(1, 0.0125 * (k % 32 - 16), 0.025 * (k / 32 - 16));
       Work work;
-      ASSERT_EQ(tracer->trace(v, work), exhaustive->trace(v, work)) << k;
+      ASSERT_EQ(intersector->intersect(v, work), exhaustive->trace(v, work)) << k;
     }
   }
 }

@@ -74,7 +74,7 @@ void expect_as_the_oracle(double degrees) {
     SCOPED_TRACE(format.name());
     const double roundings = std::ldexp(8, -format.significand_bits);
     if (format.kind == NumberKind::fixed || roundings > scene.camera.screen.dy) continue;
-    const auto tracer = make_tracer(scene, format);
+    const auto intersector = make_intersector(scene, format);
     const ViewVectors view_vectors(scene.camera.screen, 1, format);
     int hits = 0;
     int doubtful = 0;
@@ -82,7 +82,7 @@ void expect_as_the_oracle(double degrees) {
       for (std::uint32_t column = 0; column <= size; column += 2) {
         const glm::dvec3 v = view_vectors({row, column});
         Work work;
-        const auto seen = tracer->trace(v, work).object;
+        const auto seen = intersector->intersect(v, work).object;
         const Exact exact = nearest_sphere(scene, v);
         if (exact.margin < roundings) {
           ++doubtful;
@@ -112,7 +112,7 @@ TEST(ExtremesFieldOfView, ASphereThatFillsIt) {
     for (const NumberFormat& format : number_formats()) {
       if (format.kind == NumberKind::fixed || format.significand_bits < 17) continue;
       const Rendering rendering =
-          render_pyramids(scene, *make_tracer(scene, format), {.threads = 1, .view_vectors = format});
+          render_pyramids(scene, *make_intersector(scene, format), {.threads = 1, .view_vectors = format});
       EXPECT_EQ(rendering.statistics.subdivisions, 0U) << degrees << " " << format.name();
       EXPECT_EQ(rendering.image.at(0, 0), glm::vec3(0.25, 0.5, 1)) << degrees << " " << format.name();
     }

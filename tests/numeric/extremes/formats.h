@@ -83,7 +83,7 @@ class Random {
 
 /// The scene's picture with view vectors and intersections in one format.
 inline Image picture(const Scene& scene, const NumberFormat& format, int max_level = 2, int threads = 1) {
-  return render_pyramids(scene, *make_tracer(scene, format),
+  return render_pyramids(scene, *make_intersector(scene, format),
                          {.max_level = max_level, .threads = threads, .view_vectors = format})
       .image;
 }

@@ -79,7 +79,8 @@ TEST(ExtremesMetamorphic, APyramidsColorDoesNotDependOnHowItsCornersAreTurned) {
     CornerSamples corners;
     for (Sample& corner : corners) corner = {0, random.uniform(0, 1)};
     const auto color = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
-      return palette.terminal_color(PyramidCase::covered, {corners[a], corners[b], corners[c], corners[d]}, Leaf::mean);
+      return palette.terminal_color(PyramidCase::covered, {corners[a], corners[b], corners[c], corners[d]},
+                                    EdgePolicy::mean);
     };
     const FixedColor expected = color(0, 1, 2, 3);
     EXPECT_EQ(color(2, 3, 0, 1), expected);  // upside down

@@ -2,9 +2,9 @@
 // Extremes: an observer on a sphere, or inside it. His place is computed in double, so that it is only nearly on it.
 #include "../real.h"
 #include "formats.h"
-#include "trace/ray.h"
-#include "trace/rounded_scene.h"
-#include "trace/sphere.h"
+#include "intersect/ray.h"
+#include "intersect/rounded_scene.h"
+#include "intersect/sphere.h"
 
 namespace pyrasim {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: planes far from the world's origin, and seen at grazing angles.
-#include "trace/plane.h"
+#include "intersect/plane.h"
 
 #include "../real.h"
 #include "formats.h"
-#include "trace/rounded_scene.h"
+#include "intersect/rounded_scene.h"
 
 namespace pyrasim {
 namespace {

@@ -2,7 +2,7 @@
 // Extremes: scenes 2^k times as large, and scenes far from the world's origin.
 
 #include "formats.h"
-#include "trace/prepared_scene.h"
+#include "intersect/prepared_scene.h"
 
 namespace pyrasim {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: far spheres, and an observer just above a huge one.
-#include "trace/sphere.h"
+#include "intersect/sphere.h"
 
 #include <optional>
 
 #include "../real.h"
 #include "formats.h"
-#include "trace/ray.h"
-#include "trace/rounded_scene.h"
+#include "intersect/ray.h"
+#include "intersect/rounded_scene.h"
 
 namespace pyrasim {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: rays aimed at the edges and vertices that triangles share.
-#include "trace/triangle.h"
+#include "intersect/triangle.h"
 
 #include <array>
 #include <numbers>

@@ -2,7 +2,7 @@
 // Extremes: view vectors of large screens at deep levels.
 #include "../real.h"
 #include "formats.h"
-#include "trace/view_vector.h"
+#include "intersect/view_vector.h"
 
 namespace pyrasim {
 namespace {

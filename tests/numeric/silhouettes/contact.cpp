@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "error_bound.h"
-#include "trace/distance_range.h"
+#include "intersect/distance_range.h"
 
 namespace pyrasim::silhouettes {
 namespace {

@@ -15,7 +15,7 @@
 namespace pyrasim::silhouettes {
 namespace {
 
-/// Compares what a tracer of one format sees with the oracle's.
+/// Compares what an intersector of one format sees with the oracle's.
 class Comparison {
  public:
   Comparison(const NumberFormat& format, const ExactScene& scene, Slopes slopes)
@@ -72,15 +72,15 @@ std::vector<Neighbors> neighbors_across_outline(Oracle& oracle, std::size_t most
 
 /// View vectors `a` and `b` of the format see different objects. Moves them towards each other along `axis` until they
 /// are neighbours that do.
-void narrow_down(const Tracer& tracer, RoundToFormat round, int axis, glm::dvec3& a, glm::dvec3& b) {
+void narrow_down(const Intersector& intersector, RoundToFormat round, int axis, glm::dvec3& a, glm::dvec3& b) {
   Work work;
-  const std::uint32_t object = tracer.trace(a, work).object;
+  const std::uint32_t object = intersector.intersect(a, work).object;
   for (;;) {
     glm::dvec3 middle = a;
     middle[axis] += (b[axis] - a[axis]) / 2;
     if (round != nullptr) middle[axis] = round(middle[axis]);
     if (middle[axis] == a[axis] || middle[axis] == b[axis]) return;
-    (tracer.trace(middle, work).object == object ? a : b) = middle;
+    (intersector.intersect(middle, work).object == object ? a : b) = middle;
   }
 }
 
@@ -94,7 +94,7 @@ void move_to_boundary(int axis, glm::dvec3& a, glm::dvec3& b) {
 
 }  // namespace
 
-FrameDifferences differences_in_frame(const Tracer& tracer, const NumberFormat& format, Oracle& oracle) {
+FrameDifferences differences_in_frame(const Intersector& intersector, const NumberFormat& format, Oracle& oracle) {
   const ViewVectors view_vectors(oracle.screen(), oracle.steps(), format);
   Comparison comparison(format, oracle.scene(), Slopes::computed);
   FrameDifferences differences;
@@ -103,7 +103,7 @@ FrameDifferences differences_in_frame(const Tracer& tracer, const NumberFormat& 
     const auto [entry, fresh] = traced.try_emplace(address(point));
     if (fresh) {
       Work work;
-      entry->second = tracer.trace(view_vectors(point), work);
+      entry->second = intersector.intersect(view_vectors(point), work);
       comparison.add(oracle.ray(point), entry->second.object, oracle.object(point));
     }
     return entry->second;
@@ -119,7 +119,7 @@ FrameDifferences differences_in_frame(const Tracer& tracer, const NumberFormat& 
   return differences;
 }
 
-Differences differences_by_outline(const Tracer& tracer, const NumberFormat& format, Oracle& oracle) {
+Differences differences_by_outline(const Intersector& intersector, const NumberFormat& format, Oracle& oracle) {
   constexpr std::size_t places = 60;
   const ViewVectors view_vectors(oracle.screen(), oracle.steps(), format);
   Comparison comparison(format, oracle.scene(), Slopes::rounded);
@@ -127,13 +127,13 @@ Differences differences_by_outline(const Tracer& tracer, const NumberFormat& for
   for (const auto& [first, second] : neighbors_across_outline(oracle, places)) {
     glm::dvec3 a = view_vectors(first);
     glm::dvec3 b = view_vectors(second);
-    if (tracer.trace(a, work).object == tracer.trace(b, work).object) continue;
+    if (intersector.intersect(a, work).object == intersector.intersect(b, work).object) continue;
     const int axis = first.row == second.row ? 2 : 1;
-    narrow_down(tracer, rounding_to(format), axis, a, b);
+    narrow_down(intersector, rounding_to(format), axis, a, b);
     move_to_boundary(axis, a, b);
     for (const glm::dvec3& v : {a, b}) {
       const Ray ray(v.y, v.z);
-      comparison.add(ray, tracer.trace(v, work).object, object_seen(oracle.scene(), ray));
+      comparison.add(ray, intersector.intersect(v, work).object, object_seen(oracle.scene(), ray));
     }
   }
   return comparison.result();

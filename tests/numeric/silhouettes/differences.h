@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "intersect/intersector.h"
 #include "oracle.h"
-#include "trace/tracer.h"
 
 namespace pyrasim::silhouettes {
 
@@ -24,10 +24,10 @@ struct FrameDifferences {
   std::size_t different_pyramids = 0;  ///< of another case than by the oracle's objects
 };
 
-/// Of a frame as `tracer`, which computes in `format`, renders it.
-FrameDifferences differences_in_frame(const Tracer& tracer, const NumberFormat& format, Oracle& oracle);
+/// Of a frame as `intersector`, which computes in `format`, renders it.
+FrameDifferences differences_in_frame(const Intersector& intersector, const NumberFormat& format, Oracle& oracle);
 
-/// Of rays on both sides of where `tracer` sees the outline of an object, as close to it as doubles are.
-Differences differences_by_outline(const Tracer& tracer, const NumberFormat& format, Oracle& oracle);
+/// Of rays on both sides of where `intersector` sees the outline of an object, as close to it as doubles are.
+Differences differences_by_outline(const Intersector& intersector, const NumberFormat& format, Oracle& oracle);
 
 }  // namespace pyrasim::silhouettes

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the datapath's numbers may lie from the exact ones: forward error bounds of the kernels in src/trace, term by
-// term, for rays along (1, y, z) and scenes as ExactScene takes them.
+// How far the datapath's numbers may lie from the exact ones: forward error bounds of the kernels in src/intersect,
+// term by term, for rays along (1, y, z) and scenes as ExactScene takes them.
 #pragma once
 
 #include <array>
 
+#include "intersect/surface.h"
 #include "ray.h"
 #include "rounding.h"
-#include "trace/surface.h"
 
 namespace pyrasim::silhouettes {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "trace/prepared_scene.h"
+#include "intersect/prepared_scene.h"
 
 namespace pyrasim::silhouettes {
 

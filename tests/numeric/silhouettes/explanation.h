@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact.h"
-#include "pyramid/sample.h"
+#include "raster/sample.h"
 
 namespace pyrasim::silhouettes {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "../real.h"
+#include "intersect/view_vector.h"
 #include "scene/scene.h"
-#include "trace/view_vector.h"
 
 namespace pyrasim::silhouettes {
 

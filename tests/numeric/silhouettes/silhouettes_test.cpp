@@ -9,9 +9,9 @@
 #include "../../shipped_scene.h"
 #include "differences.h"
 #include "error.h"
+#include "intersect/datapath_formats.h"
+#include "intersect/rounded_scene.h"
 #include "numeric/number_types.h"
-#include "trace/datapath_formats.h"
-#include "trace/rounded_scene.h"
 
 namespace pyrasim::silhouettes {
 namespace {
@@ -55,9 +55,9 @@ TEST_P(Silhouettes, DifferOnlyWithinTheErrorBound) {
       ++left_out;
       continue;
     }
-    const auto tracer = make_tracer(scene, format);
-    const FrameDifferences frame = differences_in_frame(*tracer, format, oracle);
-    const Differences outline = differences_by_outline(*tracer, format, oracle);
+    const auto intersector = make_intersector(scene, format);
+    const FrameDifferences frame = differences_in_frame(*intersector, format, oracle);
+    const Differences outline = differences_by_outline(*intersector, format, oracle);
     fmt::print("{:10}{:>8}{:>8}{:>10}{:>8}{:>8.3f}{:>9.3f}\n", format.name(), frame.rays.all, frame.rays.different,
                frame.pyramids, frame.different_pyramids, frame.rays.largest_error, outline.largest_error);
     RecordProperty(format.name() + "_rays", std::to_string(frame.rays.different));
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Silhouettes,
 
 /// Spheres by the textbook's b^2 - 4ac, which cancels.
 template <class Scalar>
-class TextbookSpheres final : public Tracer {
+class TextbookSpheres final : public Intersector {
  public:
   explicit TextbookSpheres(const Scene& scene)
       : scene_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {}
@@ -119,8 +119,8 @@ class TextbookSpheres final : public Tracer {
 TEST(SilhouettesOfTextbookSpheres, AreNotExplained) {
   const Scene scene = load({"spheres", 64, 48});
   Oracle oracle(scene, max_level);
-  const TextbookSpheres<Flt<8, 16>> tracer(scene);
-  EXPECT_GT(differences_in_frame(tracer, FormatOf<Flt<8, 16>>::value, oracle).rays.unexplained, 10);
+  const TextbookSpheres<Flt<8, 16>> intersector(scene);
+  EXPECT_GT(differences_in_frame(intersector, FormatOf<Flt<8, 16>>::value, oracle).rays.unexplained, 10);
 }
 
 }  // namespace

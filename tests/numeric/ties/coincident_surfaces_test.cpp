@@ -3,9 +3,9 @@
 // format, from any angle, whichever comes first.
 #include "decimal_scene.h"
 #include "every_hit.h"
+#include "intersect/intersector.h"
+#include "intersect/observer_frame.h"
 #include "numeric/round_to_format.h"
-#include "trace/observer_frame.h"
-#include "trace/tracer.h"
 
 namespace pyrasim {
 namespace {
@@ -77,15 +77,15 @@ class Alone {
  public:
   Alone(Scene scene, const Surface& surface, const NumberFormat& format) {
     scene.objects = {object(surface)};
-    tracer_ = make_tracer(scene, format);
+    intersector_ = make_intersector(scene, format);
   }
   bool hit(const glm::dvec3& v) const {
     Work work;
-    return tracer_->trace(v, work).object != no_object;
+    return intersector_->intersect(v, work).object != no_object;
   }
 
  private:
-  std::unique_ptr<Tracer> tracer_;
+  std::unique_ptr<Intersector> intersector_;
 };
 
 /// Rays on which both are hit.
@@ -94,9 +94,9 @@ int expect_first_seen(const Pair& pair, Scene scene, const NumberFormat& format,
   const Alone first(scene, pair.first, format);
   const Alone second(scene, pair.second, format);
   scene.objects = {object(pair.first), object(pair.second)};
-  const auto tracer = make_tracer(scene, format);
+  const auto intersector = make_intersector(scene, format);
   std::swap(scene.objects[0], scene.objects[1]);
-  const auto swapped = make_tracer(scene, format);
+  const auto swapped = make_intersector(scene, format);
   int both = 0;
   for (int k = 0; k < 150; ++k) {
     glm::dvec3 v(1, random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5));
@@ -104,7 +104,8 @@ int expect_first_seen(const Pair& pair, Scene scene, const NumberFormat& format,
     if (!first.hit(v) || !second.hit(v)) continue;
     ++both;
     Work work;
-    EXPECT_EQ(tracer->trace(v, work).object, 0U) << pair.name << " " << format.name() << " " << v.y << " " << v.z;
+    EXPECT_EQ(intersector->intersect(v, work).object, 0U)
+        << pair.name << " " << format.name() << " " << v.y << " " << v.z;
     EXPECT_EQ(swapped->trace(v, work).object, 0U) << pair.name << " " << format.name() << " " << v.y << " " << v.z;
   }
   return both;
@@ -165,15 +166,15 @@ TEST(CoincidentSurfaces, OfAChainTheFirstThatIsNotBehindIsSeen) {
     for (int k = 0; k < 150; ++k) {
       const Stack stack(random, format);
       const auto every_hit = make_every_hit(stack.scene(), format);
-      const auto tracer = make_tracer(stack.scene(), format);
-      const auto exhaustive = make_tracer(stack.scene(), format, Search::exhaustive);
+      const auto intersector = make_intersector(stack.scene(), format);
+      const auto exhaustive = make_intersector(stack.scene(), format, Search::exhaustive);
       for (int ray = 0; ray < 4; ++ray) {
         glm::dvec3 v(1, random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05));
         if (round != nullptr) v = {1, round(v.y), round(v.z)};
         const auto hits = every_hit->of(v);
         const std::uint32_t expected = object_seen(hits);
         Work work;
-        ASSERT_EQ(tracer->trace(v, work).object, expected) << format.name() << " " << k;
+        ASSERT_EQ(intersector->intersect(v, work).object, expected) << format.name() << " " << k;
         ASSERT_EQ(exhaustive->trace(v, work).object, expected) << format.name() << " " << k;
         const auto nearest =
             std::min_element(hits.begin(), hits.end(), [](const KnownHit& p, const KnownHit& q) { return p.t < q.t; });
@@ -229,7 +230,7 @@ TEST(CoincidentSurfaces, WhatIsNearerByMoreThanTheErrorsIsSeenThoughItComesLast)
       if (!put_before(scene, format, v)) continue;
       ++apart;
       Work work;
-      ASSERT_EQ(make_tracer(scene, format)->trace(v, work).object, 1U) << format.name() << " " << pair.name;
+      ASSERT_EQ(make_intersector(scene, format)->trace(v, work).object, 1U) << format.name() << " " << pair.name;
     }
     EXPECT_GT(apart, 20) << format.name();
   }

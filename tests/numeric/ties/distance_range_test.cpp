@@ -3,8 +3,8 @@
 // not much wider than that takes.
 #include "every_hit.h"
 #include "exact_distance.h"
+#include "intersect/observer_frame.h"
 #include "numeric/round_to_format.h"
-#include "trace/observer_frame.h"
 
 namespace pyrasim {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "every_hit.h"
 
+#include "intersect/plane.h"
+#include "intersect/ray.h"
+#include "intersect/relative_error.h"
+#include "intersect/rounded_scene.h"
+#include "intersect/sphere.h"
+#include "intersect/triangle.h"
 #include "numeric/arithmetic_events.h"
 #include "numeric/number_types.h"
-#include "trace/plane.h"
-#include "trace/ray.h"
-#include "trace/relative_error.h"
-#include "trace/rounded_scene.h"
-#include "trace/sphere.h"
-#include "trace/triangle.h"
 
 namespace pyrasim {
 namespace {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "intersect/distance_range.h"
 #include "numeric/number_format.h"
 #include "scene/scene.h"
-#include "trace/distance_range.h"
 
 namespace pyrasim {
 

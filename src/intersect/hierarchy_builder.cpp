@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "intersect/hierarchy_builder.h"
+
+#include <array>
+#include <cstddef>
+#include <numeric>
+
+namespace pyrasim {
+namespace {
+
+constexpr int bins = 16;
+constexpr std::uint32_t max_leaf_size = 8;
+constexpr int heuristic_depth = 60;  // below it nodes are halved, which ends within 32 more levels
+/// Cost of one more inner node (two box tests), in surface tests.
+constexpr double node_cost = 1.0;
+
+struct Bin {
+  BoundingBox box;
+  std::uint32_t count = 0;
+};
+
+struct Split {
+  double cost = std::numeric_limits<double>::infinity();
+  int axis = 0;
+  int bin = 0;  ///< the first bin of the right-hand side
+};
+
+class Builder {
+ public:
+  explicit Builder(const std::vector<BoundingBox>& boxes) : boxes_(boxes), centers_(boxes.size()) {
+    hierarchy_.references.resize(boxes.size());
+    std::iota(hierarchy_.references.begin(), hierarchy_.references.end(), 0U);
+    for (std::size_t k = 0; k < boxes.size(); ++k) centers_[k] = boxes[k].center();
+  }
+
+  Hierarchy build() {
+    if (boxes_.empty()) return {};
+    hierarchy_.nodes.reserve(2 * boxes_.size());
+    hierarchy_.nodes.emplace_back();
+    subdivide(0, 0, static_cast<std::uint32_t>(boxes_.size()), 0);
+    return std::move(hierarchy_);
+  }
+
+ private:
+  void subdivide(std::uint32_t node, std::uint32_t first, std::uint32_t count, int depth) {
+    BoundingBox box;
+    BoundingBox center_box;
+    for (std::uint32_t k = first; k < first + count; ++k) {
+      box.include(boxes_[hierarchy_.references[k]]);
+      center_box.include(centers_[hierarchy_.references[k]]);
+    }
+    hierarchy_.nodes[node] = {box, first, count};
+    if (count == 1) return;
+    const Split split = best_split(box, center_box, first, count);
+    const bool halved = depth >= heuristic_depth || !(split.cost < std::numeric_limits<double>::infinity());
+    if (count <= max_leaf_size && (halved || split.cost >= count)) return;
+    const std::uint32_t left_count = halved ? count / 2 : partition(split, center_box, first, count);
+    const auto children = static_cast<std::uint32_t>(hierarchy_.nodes.size());
+    hierarchy_.nodes.resize(children + 2);
+    hierarchy_.nodes[node].first = children;
+    hierarchy_.nodes[node].count = 0;
+    subdivide(children, first, left_count, depth + 1);
+    subdivide(children + 1, first + left_count, count - left_count, depth + 1);
+  }
+
+  static int bin_of(double center, const BoundingBox& center_box, int axis) {
+    const double extent = center_box.upper[axis] - center_box.lower[axis];
+    const double position = (center - center_box.lower[axis]) / extent * bins;
+    return std::min(static_cast<int>(position), bins - 1);
+  }
+
+  Split best_split(const BoundingBox& box, const BoundingBox& center_box, std::uint32_t first,
+                   std::uint32_t count) const {
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(center_box.upper[axis] > center_box.lower[axis])) continue;
+      std::array<Bin, bins> bin;
+      for (std::uint32_t k = first; k < first + count; ++k) {
+        const std::uint32_t reference = hierarchy_.references[k];
+        Bin& target = bin[static_cast<std::size_t>(bin_of(centers_[reference][axis], center_box, axis))];
+        target.box.include(boxes_[reference]);
+        ++target.count;
+      }
+      sweep(bin, axis, box.frontal_area(), best);
+    }
+    return best;
+  }
+
+  static void sweep(const std::array<Bin, bins>& bin, int axis, double area, Split& best) {
+    std::array<double, bins> right_cost{};
+    Bin right;
+    for (int k = bins - 1; k > 0; --k) {
+      right.box.include(bin[static_cast<std::size_t>(k)].box);
+      right.count += bin[static_cast<std::size_t>(k)].count;
+      right_cost[static_cast<std::size_t>(k)] = right.count == 0 ? -1 : right.box.frontal_area() * right.count;
+    }
+    Bin left;
+    for (int k = 1; k < bins; ++k) {
+      left.box.include(bin[static_cast<std::size_t>(k - 1)].box);
+      left.count += bin[static_cast<std::size_t>(k - 1)].count;
+      if (left.count == 0 || right_cost[static_cast<std::size_t>(k)] < 0) continue;
+      const double sides = left.box.frontal_area() * left.count + right_cost[static_cast<std::size_t>(k)];
+      const double cost = node_cost + (area > 0 ? sides / area : 0);
+      if (cost < best.cost) best = {cost, axis, k};
+    }
+  }
+
+  std::uint32_t partition(const Split& split, const BoundingBox& center_box, std::uint32_t first, std::uint32_t count) {
+    const auto begin = hierarchy_.references.begin() + first;
+    const auto middle = std::stable_partition(begin, begin + count, [&](std::uint32_t reference) {
+      return bin_of(centers_[reference][split.axis], center_box, split.axis) < split.bin;
+    });
+    return static_cast<std::uint32_t>(middle - begin);
+  }
+
+  const std::vector<BoundingBox>& boxes_;
+  std::vector<glm::dvec3> centers_;
+  Hierarchy hierarchy_;
+};
+
+}  // namespace
+
+Hierarchy build_hierarchy(const std::vector<BoundingBox>& boxes) { return Builder(boxes).build(); }
+
+}  // namespace pyrasim

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "intersect/intersector.h"
+#include "intersect/prepared_scene.h"
+#include "intersect/rounded_scene.h"
+#include "intersect/walk.h"
+#include "numeric/number_types.h"
+
+namespace pyrasim {
+
+/// Traces the view rays of one scene in the number format that `Scalar` computes in.
+template <class Scalar>
+class SceneIntersector final : public Intersector {
+ public:
+  explicit SceneIntersector(const Scene& scene, Search search = Search::hierarchy)
+      : scene_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {
+    if (search == Search::exhaustive) scene_.root = scene_.everything;
+  }
+
+  Sample intersect(const glm::dvec3& view_vector, Work& work) const override;
+  SceneContents contents() const override {
+    return {{scene_.spheres.size(), scene_.planes.size(), scene_.triangles.size()}, scene_.nodes.size()};
+  }
+  const PreparedScene<Scalar>& scene() const { return scene_; }
+
+ private:
+  PreparedScene<Scalar> scene_;
+};
+
+template <class Scalar>
+Sample SceneIntersector<Scalar>::intersect(const glm::dvec3& view_vector, Work& work) const {
+  const auto direction = to_scalar<Scalar>(view_vector);
+  // Boxes are bounds of slopes: of use to rays that run forward, as all rays through a screen do.
+  const bool forward = direction.x >= std::numeric_limits<Scalar>::min();
+  return nearest_hit(scene_, direction, forward ? scene_.root : scene_.everything, work);
+}
+
+extern template class SceneIntersector<double>;
+extern template class SceneIntersector<float>;
+
+}  // namespace pyrasim

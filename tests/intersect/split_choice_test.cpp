@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hierarchy's splits are the cheapest that there are: small sets of boxes, where all splits can be tried.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+#include "../test_scenes.h"
+#include "intersect/hierarchy_builder.h"
+#include "intersect/scene_intersector.h"
+#include "intersect/slope_bounds.h"
+
+namespace pyrasim {
+namespace {
+
+using Boxes = std::vector<BoundingBox>;
+using Set = std::vector<std::uint32_t>;  ///< indices of boxes
+
+/// The surface area heuristic for parallel rays: a box is met by the share of its parent's rays that its area on the
+/// screen, across the rays, is of the parent's.
+double area(const Boxes& boxes, const Set& set) {
+  double lower_y = std::numeric_limits<double>::infinity();
+  double lower_z = lower_y;
+  double upper_y = -lower_y;
+  double upper_z = -lower_y;
+  for (const std::uint32_t k : set) {
+    lower_y = std::min(lower_y, boxes[k].lower.y);
+    lower_z = std::min(lower_z, boxes[k].lower.z);
+    upper_y = std::max(upper_y, boxes[k].upper.y);
+    upper_z = std::max(upper_z, boxes[k].upper.z);
+  }
+  return (upper_y - lower_y) * (upper_z - lower_z);
+}
+
+/// In surface tests of a ray that meets both: one for the boxes, and those of a side for the rays that meet it.
+double cost(const Boxes& boxes, const Set& left, const Set& right) {
+  Set both = left;
+  both.insert(both.end(), right.begin(), right.end());
+  const double sides =
+      area(boxes, left) * static_cast<double>(left.size()) + area(boxes, right) * static_cast<double>(right.size());
+  return 1 + sides / area(boxes, both);
+}
+
+/// The least cost among the splits by a plane across any axis, between any two centres.
+double least_cost(const Boxes& boxes, Set set) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    std::sort(set.begin(), set.end(),
+              [&](auto p, auto q) { return boxes[p].center()[axis] < boxes[q].center()[axis]; });
+    for (auto middle = set.begin() + 1; middle != set.end(); ++middle) {
+      least = std::min(least, cost(boxes, Set(set.begin(), middle), Set(middle, set.end())));
+    }
+  }
+  return least;
+}
+
+/// Whether no two centres share one of the 16 bins of any axis: then all splits between two of them can be had.
+bool all_apart(const Boxes& boxes, const Set& set) {
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> centers;
+    for (const std::uint32_t k : set) centers.push_back(boxes[k].center()[axis]);
+    std::sort(centers.begin(), centers.end());
+    for (std::size_t k = 1; k < centers.size(); ++k) {
+      if (centers[k] - centers[k - 1] <= (centers.back() - centers.front()) / 16 * (1 + 1e-9)) return false;
+    }
+  }
+  return true;
+}
+
+struct Counts {
+  int splits = 0;
+  int small_splits = 0;  ///< of sets that could be a leaf
+  int leaves = 0;        ///< of several boxes
+};
+
+/// Checks every choice of the hierarchy below `index`, where all could be had. Returns the node's boxes.
+Set check(const Boxes& boxes, const Hierarchy& hierarchy, std::uint32_t index, Counts& counts) {
+  const HierarchyNode& node = hierarchy.nodes.at(index);
+  if (node.count > 0) {
+    const auto first = hierarchy.references.begin() + node.first;
+    const Set set(first, first + node.count);
+    EXPECT_LE(set.size(), 8U);
+    if (set.size() > 1 && all_apart(boxes, set)) {
+      ++counts.leaves;
+      EXPECT_GE(least_cost(boxes, set), static_cast<double>(set.size()) - 1e-9) << "a split would cost less";
+    }
+    return set;
+  }
+  const Set left = check(boxes, hierarchy, node.first, counts);
+  const Set right = check(boxes, hierarchy, node.first + 1, counts);
+  Set set = left;
+  set.insert(set.end(), right.begin(), right.end());
+  if (!all_apart(boxes, set)) return set;
+  ++counts.splits;
+  counts.small_splits += set.size() <= 8 ? 1 : 0;
+  EXPECT_NEAR(cost(boxes, left, right), least_cost(boxes, set), 1e-9) << set.size() << " boxes";
+  if (set.size() <= 8) {
+    EXPECT_LT(least_cost(boxes, set), static_cast<double>(set.size())) << "a leaf costs less";
+  }
+  return set;
+}
+
+/// Centres on whole numbers from 0 to `count` - 1, each once along every axis.
+Boxes boxes_apart(std::size_t count, double largest_side, std::mt19937_64& random) {
+  Boxes boxes(count);
+  std::array<std::vector<double>, 3> places;
+  for (auto& along : places) {
+    along.resize(count);
+    for (std::size_t k = 0; k < count; ++k) along[k] = static_cast<double>(k);
+    std::shuffle(along.begin(), along.end(), random);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const glm::dvec3 center(places[0][k], places[1][k], places[2][k]);
+    const glm::dvec3 half = random_vector(random, glm::dvec3(0.01), glm::dvec3(largest_side / 2));
+    boxes[k] = {center - half, center + half};
+  }
+  return boxes;
+}
+
+TEST(SplitChoice, IsTheCheapestOfAll) {
+  std::mt19937_64 random(3);
+  Counts counts;
+  for (int round = 0; round < 40; ++round) {
+    for (std::size_t count = 2; count <= 16; ++count) {
+      for (const double largest_side : {0.5, 4.0, 20.0}) {
+        SCOPED_TRACE(testing::Message() << "round " << round << ", sides up to " << largest_side);
+        const Boxes boxes = boxes_apart(count, largest_side, random);
+        const Hierarchy hierarchy = build_hierarchy(boxes);
+        check(boxes, hierarchy, 0, counts);
+      }
+    }
+  }
+  EXPECT_GT(counts.splits, 1000);
+  EXPECT_GT(counts.small_splits, 300);
+  EXPECT_GT(counts.leaves, 100);
+}
+
+/// A tree of spheres, by their places in the scene: a leaf's in brackets, a node's children in braces, all in order.
+std::string written(std::vector<std::string> parts, const char* open, const char* close) {
+  std::sort(parts.begin(), parts.end());
+  std::string text = open;
+  for (const std::string& part : parts) text += part + " ";
+  return text + close;
+}
+
+std::string tree_of(const PreparedScene<double>& scene, std::int32_t reference) {
+  std::vector<std::string> parts;
+  if (reference < 0) {
+    const auto& leaf = scene.leaves.at(static_cast<std::size_t>(~reference));
+    for (std::uint32_t k = 0; k < leaf.spheres; ++k) {
+      parts.push_back(std::to_string(scene.spheres.at(leaf.first_sphere + k).identity.order));
+    }
+    return written(parts, "[", "]");
+  }
+  const auto& node = scene.nodes.at(static_cast<std::size_t>(reference));
+  for (std::size_t k = 0; k < node.children; ++k) parts.push_back(tree_of(scene, node.child[k]));
+  return written(parts, "{", "}");
+}
+
+/// The same from the binary hierarchy: of a node's children the one that is largest on the screen gives way to its own
+/// two, until there are four or none can.
+std::string wide_tree_of(const Hierarchy& hierarchy, std::uint32_t index) {
+  const HierarchyNode& node = hierarchy.nodes.at(index);
+  std::vector<std::string> parts;
+  if (node.count > 0) {
+    for (std::uint32_t k = 0; k < node.count; ++k) {
+      parts.push_back(std::to_string(hierarchy.references.at(node.first + k)));
+    }
+    return written(parts, "[", "]");
+  }
+  Set children{node.first, node.first + 1};
+  const auto size = [&](std::uint32_t child) {
+    const BoundingBox& box = hierarchy.nodes.at(child).box;
+    const bool inner = hierarchy.nodes.at(child).count == 0;
+    return inner ? (box.upper.y - box.lower.y) * (box.upper.z - box.lower.z) : -1;
+  };
+  while (children.size() < 4) {
+    const auto largest =
+        std::max_element(children.begin(), children.end(), [&](auto p, auto q) { return size(p) < size(q); });
+    if (size(*largest) < 0) break;
+    const std::uint32_t first = hierarchy.nodes.at(*largest).first;
+    children.erase(largest);
+    children.push_back(first);
+    children.push_back(first + 1);
+  }
+  for (const std::uint32_t child : children) parts.push_back(wide_tree_of(hierarchy, child));
+  return written(parts, "{", "}");
+}
+
+TEST(SplitChoice, OpensTheLargestChildOfAWideNode) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Scene scene = random_scene(seed, {60, 0, 0}, 32, 32);
+    Boxes visible;
+    for (const Object& entry : scene.objects) {
+      const auto& sphere = std::get<Sphere>(entry.surface);
+      visible.push_back(on_screen(slope_bounds_of_sphere(sphere.center, sphere.radius, 0), scene.camera.screen));
+    }
+    const SceneIntersector<double> intersector(scene);
+    EXPECT_EQ(tree_of(intersector.scene(), intersector.scene().root), wide_tree_of(build_hierarchy(visible), 0))
+        << seed;
+  }
+}
+
+}  // namespace
+}  // namespace pyrasim
