@@ -71,8 +71,8 @@ struct FormerKey {
 constexpr std::array former_keys{
     FormerKey{"frame_buffer", "latency", "nothing waits for what the frame buffer stores, so that it has no latency",
               "remove it; allowed keys: interval"},
-    FormerKey{"intersection", "reorder_buffer", "has another name now", "issue_order_queue"},
-    FormerKey{"pyramid_classifier", "corner_row", "has another name now", "line_buffer"},
+    FormerKey{"intersection", "reorder_buffer", "has another name now", "issue_order_queue is allowed"},
+    FormerKey{"pyramid_classifier", "corner_row", "has another name now", "line_buffer is allowed"},
 };
 
 void refuse_former_keys(const JsonReader& root) {

@@ -175,9 +175,9 @@ class Commands(tool.EndToEnd):
             self.refused(USAGE, "simulate", KEEL, "--set", assignment, "-o", "out.png", says=says)
         for then, now in (("--leaf=drop", "--leaf: has another name now, --edge;"),
                           ("--set=intersection.reorder_buffer=8",
-                           "/intersection/reorder_buffer: has another name now; allowed: issue_order_queue"),
+                           "/intersection/reorder_buffer: has another name now; issue_order_queue is allowed"),
                           ("--set=pyramid_classifier.corner_row=9",
-                           "/pyramid_classifier/corner_row: has another name now; allowed: line_buffer")):
+                           "/pyramid_classifier/corner_row: has another name now; line_buffer is allowed")):
             self.refused(USAGE, "simulate", KEEL, then, says=now)
         for option, value in (("--max-level", "3:1"), ("--max-level", "0:17"), ("--max-level", "1,,2"), ("--edge", "x"),
                               ("--edge", "mean,"), ("--size", "8x6,"), ("--size", "0x1")):

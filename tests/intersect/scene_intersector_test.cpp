@@ -29,7 +29,7 @@ class BruteForce {
     const std::uint32_t object = object_seen(every_hit_->of(direction));
     if (object == no_object) return {};
     Work work;
-    return {object, alone_[object].trace(direction, work).shading};
+    return {object, alone_[object].intersect(direction, work).shading};
   }
 
  private:
@@ -50,7 +50,7 @@ class SceneIntersectorOf : public testing::Test {
   }
   static Sample look(const Scene& scene, const Vector<Scalar>& direction) {
     Work work;
-    return SceneIntersector<Scalar>(scene).trace(direction, work);
+    return SceneIntersector<Scalar>(scene).intersect(direction, work);
   }
 };
 using Scalars = testing::Types<float, double>;
@@ -177,7 +177,7 @@ TYPED_TEST(SceneIntersectorOf, LambertShadingByHand) {
 TYPED_TEST(SceneIntersectorOf, WorkWithoutAHierarchy) {
   Scene scene = empty_scene(1, 1, 1);
   Work work;
-  SceneIntersector<TypeParam>(scene).trace({1, 0, 0}, work);
+  SceneIntersector<TypeParam>(scene).intersect({1, 0, 0}, work);
   EXPECT_EQ(work, Work{});
   scene.objects.assign(3, object(Plane{{1, 0, 0}, 7}));
   scene.objects.push_back(object(Sphere{{5, 0, 0}, 1}));

@@ -28,13 +28,13 @@ class ShadingByHand : public testing::Test {
     for (const auto& [travels, shading] : lights) {
       scene.light = Light{ambient, travels};
       Work work;
-      const Sample sample = SceneIntersector<Scalar>(scene).trace(direction, work);
+      const Sample sample = SceneIntersector<Scalar>(scene).intersect(direction, work);
       EXPECT_EQ(sample.object, 0U);
       EXPECT_NEAR(sample.shading, shading, 1e-6) << travels.x << " " << travels.y << " " << travels.z;
     }
     scene.light.reset();
     Work work;
-    EXPECT_EQ(SceneIntersector<Scalar>(scene).trace(direction, work).shading, 1) << "without a light";
+    EXPECT_EQ(SceneIntersector<Scalar>(scene).intersect(direction, work).shading, 1) << "without a light";
   }
 };
 using Scalars = testing::Types<float, double>;

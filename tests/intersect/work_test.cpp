@@ -107,7 +107,7 @@ class WorkOf : public testing::Test {
  protected:
   static Work of(const Scene& scene, const Vector<Scalar>& direction) {
     Work work;
-    SceneIntersector<Scalar>(scene).trace(to_scalar<double>({direction.x, direction.y, direction.z}), work);
+    SceneIntersector<Scalar>(scene).intersect(to_scalar<double>({direction.x, direction.y, direction.z}), work);
     return work;
   }
 };

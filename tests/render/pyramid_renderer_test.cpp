@@ -199,7 +199,7 @@ class ExhaustedTracer final : public Intersector {
   ExhaustedTracer(const Scene& scene, int rays) : scene_(scene), rays_(rays) {}
   Sample intersect(const glm::dvec3& view_vector, Work& work) const override {
     if (rays_-- == 0) throw std::bad_alloc();
-    return scene_.trace(view_vector, work);
+    return scene_.intersect(view_vector, work);
   }
   SceneContents contents() const override { return scene_.contents(); }
 

@@ -35,7 +35,7 @@ TEST(ExtremesBoxFaces, RaysInThemMissNothing) {
           const glm::dvec3 v(1, y == 0 ? zero : y / 16.0, z == 0 ? zero : z / 16.0);
           Work work;
           const Sample sample = intersector->intersect(v, work);
-          ASSERT_EQ(sample, exhaustive->trace(v, work)) << y << " " << z;
+          ASSERT_EQ(sample, exhaustive->intersect(v, work)) << y << " " << z;
           hits += sample.object == no_object ? 0 : 1;
         }
       }

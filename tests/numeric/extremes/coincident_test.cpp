@@ -66,7 +66,7 @@ TEST(ExtremesCoincident, TheHierarchyDoesNotDecide) {
     for (int k = 0; k < 1000; ++k) {
       const glm::dvec3 v(1, 0.0125 * (k % 32 - 16), 0.025 * (k / 32 - 16));
       Work work;
-      ASSERT_EQ(intersector->intersect(v, work), exhaustive->trace(v, work)) << k;
+      ASSERT_EQ(intersector->intersect(v, work), exhaustive->intersect(v, work)) << k;
     }
   }
 }

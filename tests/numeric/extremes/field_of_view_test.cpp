@@ -4,6 +4,7 @@
 
 #include "../real.h"
 #include "formats.h"
+#include "intersect/view_vector.h"
 
 namespace pyrasim {
 namespace {

@@ -94,7 +94,7 @@ class TextbookSpheres final : public Intersector {
   explicit TextbookSpheres(const Scene& scene)
       : scene_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {}
 
-  Sample trace(const glm::dvec3& view_vector, Work&) const override {
+  Sample intersect(const glm::dvec3& view_vector, Work&) const override {
     const auto d = to_scalar<Scalar>(view_vector);
     Scalar nearest = std::numeric_limits<Scalar>::infinity();
     Sample sample;

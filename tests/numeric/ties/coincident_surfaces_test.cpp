@@ -106,7 +106,7 @@ int expect_first_seen(const Pair& pair, Scene scene, const NumberFormat& format,
     Work work;
     EXPECT_EQ(intersector->intersect(v, work).object, 0U)
         << pair.name << " " << format.name() << " " << v.y << " " << v.z;
-    EXPECT_EQ(swapped->trace(v, work).object, 0U) << pair.name << " " << format.name() << " " << v.y << " " << v.z;
+    EXPECT_EQ(swapped->intersect(v, work).object, 0U) << pair.name << " " << format.name() << " " << v.y << " " << v.z;
   }
   return both;
 }
@@ -175,7 +175,7 @@ TEST(CoincidentSurfaces, OfAChainTheFirstThatIsNotBehindIsSeen) {
         const std::uint32_t expected = object_seen(hits);
         Work work;
         ASSERT_EQ(intersector->intersect(v, work).object, expected) << format.name() << " " << k;
-        ASSERT_EQ(exhaustive->trace(v, work).object, expected) << format.name() << " " << k;
+        ASSERT_EQ(exhaustive->intersect(v, work).object, expected) << format.name() << " " << k;
         const auto nearest =
             std::min_element(hits.begin(), hits.end(), [](const KnownHit& p, const KnownHit& q) { return p.t < q.t; });
         not_the_nearest += nearest->identity.object == expected ? 0 : 1;
@@ -230,7 +230,7 @@ TEST(CoincidentSurfaces, WhatIsNearerByMoreThanTheErrorsIsSeenThoughItComesLast)
       if (!put_before(scene, format, v)) continue;
       ++apart;
       Work work;
-      ASSERT_EQ(make_intersector(scene, format)->trace(v, work).object, 1U) << format.name() << " " << pair.name;
+      ASSERT_EQ(make_intersector(scene, format)->intersect(v, work).object, 1U) << format.name() << " " << pair.name;
     }
     EXPECT_GT(apart, 20) << format.name();
   }
