@@ -35,7 +35,7 @@ void for_each_setting(Spec& spec, const Visit& visit) {
   visit("intersection.cost.ray", spec.intersection_cost.ray, cycles);
   visit("intersection.cost.box_test", spec.intersection_cost.box_test, cost);
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
-    visit("intersection.cost." + std::string(surface_kind_names[kind]), spec.intersection_cost.surface_test[kind],
+    visit("intersection.cost." + std::string(surface_traits[kind].name), spec.intersection_cost.surface_test[kind],
           cost);
   }
   stage("pyramid_classifier", spec.pyramid_classifier);

@@ -2,6 +2,7 @@
 // The settings of a machine: what a machine file says, with defaults filled in and checked.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +14,7 @@
 #include <vector>
 
 #include "hw_model/cycle.h"
-#include "intersect/surface.h"
+#include "surface/list.h"
 
 namespace pyrasim::hw {
 
@@ -24,11 +25,18 @@ struct StageTiming {
   friend bool operator==(const StageTiming&, const StageTiming&) = default;
 };
 
+inline std::array<Cycle, surface_kinds> default_surface_test() {
+  std::array<Cycle, surface_kinds> cycles{};
+  std::transform(surface_traits.begin(), surface_traits.end(), cycles.begin(),
+                 [](const SurfaceTraits& traits) { return traits.default_cost; });
+  return cycles;
+}
+
 /// What a ray costs an intersection unit, in cycles: the unit is occupied for the sum over the ray's work.
 struct IntersectionCost {
   Cycle ray = 1;  ///< for every ray
   Cycle box_test = 1;
-  std::array<Cycle, surface_kinds> surface_test{2, 1, 3};  ///< by SurfaceKind
+  std::array<Cycle, surface_kinds> surface_test = default_surface_test();  ///< by SurfaceKind
   friend bool operator==(const IntersectionCost&, const IntersectionCost&) = default;
 };
 

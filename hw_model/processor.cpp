@@ -163,8 +163,8 @@ void Processor::list_omitted() {
   }
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
     if (contents_.surfaces[kind] > 0) continue;
-    omitted_.push_back({fmt::format("intersection_unit.{}_tester", surface_kind_names[kind]),
-                        fmt::format("the scene has no {}", surface_kind_names[kind])});
+    omitted_.push_back({fmt::format("intersection_unit.{}_tester", surface_traits[kind].name),
+                        fmt::format("the scene has no {}", surface_traits[kind].name)});
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "camera/view_vector.h"
 #include "hw_model/fifo/fifo_port.h"
 #include "hw_model/fifo/fifo_ports.h"
 #include "hw_model/fifo/fifo_reader.h"
@@ -10,7 +11,6 @@
 #include "hw_model/message.h"
 #include "hw_model/stage/stage_of.h"
 #include "intersect/datapath_formats.h"
-#include "intersect/view_vector.h"
 
 namespace pyrasim::hw {
 

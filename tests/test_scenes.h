@@ -18,7 +18,9 @@ inline Scene empty_scene(int columns, int rows, double pixel) {
   return scene;
 }
 
-inline Object object(Surface surface, const glm::dvec3& color = {1, 1, 1}) { return {"", color, std::move(surface)}; }
+inline Object object(SceneSurface surface, const glm::dvec3& color = {1, 1, 1}) {
+  return {"", color, std::move(surface)};
+}
 
 inline glm::dvec3 random_vector(std::mt19937_64& random, const glm::dvec3& lower, const glm::dvec3& upper) {
   glm::dvec3 v;

@@ -52,7 +52,7 @@ void add_counts(ordered_json& document, const FrameStatistics& statistics, int m
   document["terminal_nodes"] = statistics.terminal_nodes;
   ordered_json surface_tests = ordered_json::object();
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
-    surface_tests[std::string(surface_kind_names[kind])] = statistics.work.surface_tests[kind];
+    surface_tests[std::string(surface_traits[kind].name)] = statistics.work.surface_tests[kind];
   }
   document["work"] = {{"box_tests", statistics.work.box_tests}, {"surface_tests", surface_tests}};
 }

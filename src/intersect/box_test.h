@@ -10,7 +10,7 @@
 #endif
 
 #include "intersect/prepared_scene.h"
-#include "intersect/ray.h"
+#include "surface/view_ray.h"
 
 namespace pyrasim {
 

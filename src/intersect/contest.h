@@ -6,7 +6,7 @@
 #include <limits>
 #include <tuple>
 
-#include "intersect/distance_range.h"
+#include "surface/distance_range.h"
 
 namespace pyrasim {
 

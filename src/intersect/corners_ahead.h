@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "camera/view_vector.h"
 #include "intersect/intersector.h"
-#include "intersect/view_vector.h"
 
 namespace pyrasim {
 

@@ -6,20 +6,20 @@
 #include <cstdint>
 #include <vector>
 
-#include "intersect/bounding_box.h"
+#include "surface/bounding_box.h"
 
 namespace pyrasim {
 
 /// A node of the hierarchy: a leaf holds the references `first` to `first + count - 1` of Hierarchy::references; an
 /// inner node (count = 0) has the children `first` and `first + 1` of Hierarchy::nodes.
-struct HierarchyNode {
+struct BinaryNode {
   BoundingBox box;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
 };
 
 struct Hierarchy {
-  std::vector<HierarchyNode> nodes;       ///< the root is nodes[0]; none for no boxes
+  std::vector<BinaryNode> nodes;          ///< the root is nodes[0]; none for no boxes
   std::vector<std::uint32_t> references;  ///< indices of the boxes given, ordered by leaf
 };
 

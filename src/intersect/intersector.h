@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
-#include "intersect/surface.h"
+#include "intersect/work.h"
 #include "numeric/number_format.h"
 #include "raster/sample.h"
 #include "scene/scene.h"

@@ -4,13 +4,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <tuple>
 #include <vector>
 
-#include "intersect/bounding_box.h"
-#include "intersect/rounding_units.h"
-#include "intersect/surface.h"
 #include "numeric/number_format.h"
 #include "scene/scene.h"
+#include "surface/bounding_box.h"
+#include "surface/lighting.h"
+#include "surface/list.h"
+#include "surface/rounding_units.h"
 
 namespace pyrasim {
 
@@ -34,36 +37,51 @@ struct SlopeBoxes {
   }
 };
 
+/// An inner node of two to four children, the nearest first.
+template <class Scalar>
+struct alignas(64) WideNode {
+  SlopeBoxes<Scalar> boxes;
+  std::array<std::int32_t, node_width> child;  ///< index into nodes, or ~index into runs, of a leaf's first
+  std::uint32_t children;
+};
+
+/// Surfaces of one kind that stand side by side. A leaf is one run, or several that follow each other.
+struct SurfaceRun {
+  std::uint32_t first;
+  std::uint32_t count;
+  SurfaceKind kind;
+  bool more;              ///< the leaf goes on with the next run
+  double relative_error;  ///< the largest of the leaf's surfaces', distance_range.h
+};
+
 /// A scene made ready for a datapath of one number format: in observer's coordinates, multiplied by a power of two that
-/// suits the format, and rounded once to `Scalar`; with a bounding volume hierarchy over its bounded surfaces. Planes
-/// have no bounds and stand apart.
+/// suits the format, and rounded once to `Scalar`; with a bounding volume hierarchy over its bounded surfaces. Those
+/// without bounds stand apart.
 template <class Scalar>
 struct PreparedScene {
-  /// An inner node of two to four children, the nearest first.
-  struct alignas(64) Node {
-    SlopeBoxes<Scalar> boxes;
-    std::array<std::int32_t, node_width> child;  ///< index into nodes, or ~index into leaves
-    std::uint32_t children;
-  };
-  struct Leaf {
-    std::uint32_t first_sphere, spheres, first_triangle, triangles;
-    double relative_error;  ///< the largest of its surfaces', relative_error.h
-  };
+  using Node = WideNode<Scalar>;
 
   std::vector<Node> nodes;
-  std::vector<Leaf> leaves;
-  std::int32_t root = 0;        ///< as Node::child
-  std::int32_t everything = 0;  ///< likewise, a leaf of all bounded surfaces: for rays that do not run forward
-  std::vector<SphereSurface<Scalar>> spheres;
-  std::vector<TriangleSurface<Scalar>> triangles;
-  std::vector<FlatShading<Scalar>> triangle_shading;  ///< one for each triangle
-  std::vector<PlaneSurface<Scalar>> planes;
-  bool lit = false;  ///< without a light, colours are emitted as they are
-  Scalar ambient{1};
-  Vector<Scalar> towards_light{0, 0, 0};  ///< of length 1
-  int exponent = 0;                       ///< lengths are the scene's times 2^exponent
-  RoundingUnits rounding;                 ///< of the format
+  std::vector<SurfaceRun> runs;
+  std::int32_t root = 0;              ///< of the hierarchy, as Node::child
+  std::int32_t everything = 0;        ///< likewise, a leaf of all bounded surfaces: for rays that do not run forward
+  std::optional<std::int32_t> apart;  ///< likewise, a leaf of the others, if there are any
+  SurfaceStore<Scalar> kinds;         ///< of each those apart first, then in the order of leaves
+  Lighting<Scalar> lighting;
+  int exponent = 0;        ///< lengths are the scene's times 2^exponent
+  RoundingUnits rounding;  ///< of the format
 };
+
+/// The surfaces of one kind: surfaces_of<SphereSurface>(scene).
+template <template <class> class Surface, class Scalar>
+const std::vector<Surface<Scalar>>& surfaces_of(const PreparedScene<Scalar>& scene) {
+  return std::get<index_of_kind<Surface>>(scene.kinds).surfaces;
+}
+
+/// The first run of the leaf `leaf`, a reference as Node::child; the others follow it.
+inline const SurfaceRun* first_run(const std::vector<SurfaceRun>& runs, std::int32_t leaf) {
+  return &runs[static_cast<std::size_t>(~static_cast<std::int64_t>(leaf))];
+}
 
 /// The scene for a datapath of `format`, not yet rounded to it.
 PreparedScene<double> prepare_scene(const Scene& scene, const NumberFormat& format);

@@ -20,7 +20,10 @@ class SceneIntersector final : public Intersector {
 
   Sample intersect(const glm::dvec3& view_vector, Work& work) const override;
   SceneContents contents() const override {
-    return {{scene_.spheres.size(), scene_.planes.size(), scene_.triangles.size()}, scene_.nodes.size()};
+    SceneContents contents;
+    for_each_kind([&](auto kind) { contents.surfaces[kind] = std::get<kind>(scene_.kinds).surfaces.size(); });
+    contents.inner_nodes = scene_.nodes.size();
+    return contents;
   }
   const PreparedScene<Scalar>& scene() const { return scene_; }
 

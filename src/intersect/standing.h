@@ -16,8 +16,8 @@ namespace pyrasim {
 template <class Scalar>
 struct Hit {
   Scalar t{0};
-  SurfaceKind kind = SurfaceKind::plane;
-  std::uint32_t index = no_object;  ///< among the surfaces of its kind; no_object without a hit
+  SurfaceKind kind{};
+  std::uint32_t index = 0;  ///< among the surfaces of its kind
 };
 
 /// Hits that lie clearly apart: the nearer leads, whatever they err by.
@@ -39,7 +39,8 @@ class ClearStanding {
     return true;
   }
 
-  const Hit<Scalar>& leader() const { return leader_; }
+  /// None as long as nothing was met.
+  const Hit<Scalar>* leader() const { return leader_.t > Scalar(0) ? &leader_ : nullptr; }
   double highest() const { return highest_; }               ///< what begins beyond is behind
   bool undecided() const { return highest_ == -infinity; }  ///< whether two hits lay too close: nobody leads
 
@@ -61,17 +62,10 @@ class CloseStanding {
   bool enter(const Hit<Scalar>& hit, double relative_error) {
     const auto t = static_cast<double>(hit.t);
     if (t - t * relative_error > contest_.highest()) return false;
-    switch (hit.kind) {
-      case SurfaceKind::sphere:
-        return enter(hit, scene_.spheres[hit.index]);
-      case SurfaceKind::plane:
-        return enter(hit, scene_.planes[hit.index]);
-      default:
-        return enter(hit, scene_.triangles[hit.index]);
-    }
+    return with_kind(hit.kind, [&](auto kind) { return enter(hit, std::get<kind>(scene_.kinds).surfaces[hit.index]); });
   }
 
-  const Hit<Scalar>& leader() const { return leader_; }
+  const Hit<Scalar>* leader() const { return leader_.t > Scalar(0) ? &leader_ : nullptr; }
   double highest() const { return contest_.highest(); }
 
   /// Once all hits have entered: whether they have to once more.

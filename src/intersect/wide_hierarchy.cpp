@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
 
 #include "intersect/hierarchy_builder.h"
-#include "intersect/relative_error.h"
-#include "intersect/slope_bounds.h"
 #include "numeric/number_range.h"
+#include "surface/slope_bounds.h"
 
 namespace pyrasim {
 namespace {
@@ -51,68 +53,83 @@ class Margin {
   double absolute_ = 0;
 };
 
-double largest_coordinate(const glm::dvec3& point) {
-  return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-}
-
-BoundingBox bounds_of(const SphereSurface<double>& sphere, const Margin& margin) {
-  return slope_bounds_of_sphere(sphere.center, sphere.radius,
-                                margin.of(largest_coordinate(sphere.center) + sphere.radius));
-}
-
-BoundingBox bounds_of(const TriangleSurface<double>& triangle, const Margin& margin) {
-  std::array<glm::dvec3, 3> vertices;
-  double largest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto& [x, y, z] = triangle.vertices[k];
-    vertices[k] = glm::dvec3(x, y, z);
-    largest = std::max(largest, largest_coordinate(vertices[k]));
-  }
-  return slope_bounds_of_triangle(vertices, margin.of(largest));
-}
-
 /// Nodes of up to node_width children out of a binary hierarchy.
 class Widening {
  public:
-  Widening(PreparedScene<double>& scene, const Screen& screen, const Margin& margin) : scene_(scene) {
-    const auto add = [&](const auto& surface) {
-      bounds_.push_back(bounds_of(surface, margin));
-      errors_.push_back(relative_error(surface, scene.rounding));
-    };
-    for (const auto& sphere : scene.spheres) add(sphere);
-    for (const auto& triangle : scene.triangles) add(triangle);
+  Widening(PreparedScene<double>& scene, const Screen& screen, const Margin& margin)
+      : scene_(scene), source_(std::exchange(scene.kinds, {})) {
+    RunsOfKinds apart{};
+    RunsOfKinds everything{};
+    for_each_kind([&](auto kind) {
+      apart[kind] = {0, take_bounds<kind>(margin)};
+      const auto surfaces = static_cast<std::uint32_t>(std::get<kind>(source_).surfaces.size());
+      everything[kind] = {apart[kind].count, surfaces - apart[kind].count};
+    });
+    const bool any_apart = std::any_of(apart.begin(), apart.end(), [](const RunOfKind& run) { return run.count > 0; });
+    if (any_apart) scene_.apart = add_leaf(apart, std::numeric_limits<double>::infinity());
+    double error = 0;
+    for (const double of_surface : errors_) error = std::max(error, of_surface);
+    scene_.everything = scene_.root = add_leaf(everything, error);
     std::vector<BoundingBox> visible;
     visible.reserve(bounds_.size());
     for (const BoundingBox& bounds : bounds_) visible.push_back(on_screen(bounds, screen));
     hierarchy_ = build_hierarchy(visible);
-    spheres_.swap(scene.spheres);
-    triangles_.swap(scene.triangles);
-    shading_.swap(scene.triangle_shading);
   }
 
   void build() {
-    const auto spheres = static_cast<std::uint32_t>(spheres_.size());
-    const auto triangles = static_cast<std::uint32_t>(triangles_.size());
-    double error = 0;
-    for (const double of_surface : errors_) error = std::max(error, of_surface);
-    scene_.everything = scene_.root = add_leaf({0, spheres, 0, triangles, error});
     if (!hierarchy_.nodes.empty()) scene_.root = convert(hierarchy_.nodes.front()).reference;
   }
 
  private:
   using Node = PreparedScene<double>::Node;
-  using Leaf = PreparedScene<double>::Leaf;
+  struct RunOfKind {
+    std::uint32_t first, count;
+  };
+  using RunsOfKinds = std::array<RunOfKind, surface_kinds>;
+  struct Source {
+    SurfaceKind kind;
+    std::uint32_t index;  ///< in source_
+  };
+
+  /// Notes the surfaces of a kind that have bounds; the others go to their place in the scene. Returns their number.
+  template <std::size_t kind>
+  std::uint32_t take_bounds(const Margin& margin) {
+    const auto& surfaces = std::get<kind>(source_).surfaces;
+    std::uint32_t apart = 0;
+    for (std::uint32_t k = 0; k < surfaces.size(); ++k) {
+      if (const auto bounds = slope_bounds(surfaces[k], margin.of(reach(surfaces[k])))) {
+        bounded_.push_back({kind_at<kind>, k});
+        bounds_.push_back(*bounds);
+        if constexpr (!requires { surfaces[k].error; }) {
+          errors_.push_back(relative_error(surfaces[k], scene_.rounding));
+        } else {
+          errors_.push_back(0);
+        }
+      } else {
+        move<kind>(k);
+        ++apart;
+      }
+    }
+    return apart;
+  }
+
+  /// Appends a surface to those of its kind in the scene.
+  template <std::size_t kind>
+  void move(std::uint32_t index) {
+    std::get<kind>(scene_.kinds).surfaces.push_back(std::get<kind>(source_).surfaces[index]);
+    std::get<kind>(scene_.kinds).shading.push_back(std::get<kind>(source_).shading[index]);
+  }
 
   struct Converted {
     BoundingBox bounds;          ///< of all surfaces in it, those off the screen too
     std::int32_t reference = 0;  ///< as Node::child
   };
 
-  Converted convert(const HierarchyNode& node) {
+  Converted convert(const BinaryNode& node) {
     if (node.count > 0) return convert_leaf(node);
     const std::size_t index = scene_.nodes.size();
     scene_.nodes.emplace_back();
-    const std::vector<const HierarchyNode*> sources = widened(node);
+    const std::vector<const BinaryNode*> sources = widened(node);
     std::array<Converted, node_width> children;
     BoundingBox bounds;
     for (std::size_t k = 0; k < sources.size(); ++k) {
@@ -133,12 +150,12 @@ class Widening {
 
   /// The children of a wide node: those of the binary one, the largest inner one replaced by its own while there is
   /// room.
-  std::vector<const HierarchyNode*> widened(const HierarchyNode& node) const {
+  std::vector<const BinaryNode*> widened(const BinaryNode& node) const {
     const auto* const nodes = hierarchy_.nodes.data();
-    std::vector<const HierarchyNode*> children{nodes + node.first, nodes + node.first + 1};
+    std::vector<const BinaryNode*> children{nodes + node.first, nodes + node.first + 1};
     while (children.size() < node_width) {
-      const HierarchyNode** largest = nullptr;
-      for (const HierarchyNode*& child : children) {
+      const BinaryNode** largest = nullptr;
+      for (const BinaryNode*& child : children) {
         if (child->count > 0) continue;
         if (largest == nullptr || child->box.frontal_area() > (*largest)->box.frontal_area()) largest = &child;
       }
@@ -150,38 +167,44 @@ class Widening {
     return children;
   }
 
-  Converted convert_leaf(const HierarchyNode& node) {
-    Leaf leaf{static_cast<std::uint32_t>(scene_.spheres.size()), 0, static_cast<std::uint32_t>(scene_.triangles.size()),
-              0, 0};
+  Converted convert_leaf(const BinaryNode& node) {
+    RunsOfKinds runs{};
+    for_each_kind([&](auto kind) {
+      runs[kind].first = static_cast<std::uint32_t>(std::get<kind>(scene_.kinds).surfaces.size());
+    });
     BoundingBox bounds;
+    double error = 0;
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
       const std::uint32_t reference = hierarchy_.references[k];
       bounds.include(bounds_[reference]);
-      leaf.relative_error = std::max(leaf.relative_error, errors_[reference]);
-      if (reference < spheres_.size()) {
-        scene_.spheres.push_back(spheres_[reference]);
-        ++leaf.spheres;
-      } else {
-        scene_.triangles.push_back(triangles_[reference - spheres_.size()]);
-        scene_.triangle_shading.push_back(shading_[reference - spheres_.size()]);
-        ++leaf.triangles;
-      }
+      error = std::max(error, errors_[reference]);
+      const Source source = bounded_[reference];
+      with_kind(source.kind, [&](auto kind) {
+        move<kind>(source.index);
+        ++runs[kind].count;
+      });
     }
-    return {bounds, add_leaf(leaf)};
+    return {bounds, add_leaf(runs, error)};
   }
 
-  std::int32_t add_leaf(const Leaf& leaf) {
-    scene_.leaves.push_back(leaf);
-    return ~static_cast<std::int32_t>(scene_.leaves.size() - 1);
+  /// Its reference, as Node::child. A leaf of nothing has one run, of nothing.
+  std::int32_t add_leaf(const RunsOfKinds& runs, double error) {
+    const auto leaf = static_cast<std::int32_t>(scene_.runs.size());
+    for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+      const auto [first, count] = runs[kind];
+      if (count > 0) scene_.runs.push_back({first, count, SurfaceKind{static_cast<std::uint8_t>(kind)}, true, error});
+    }
+    if (scene_.runs.size() == static_cast<std::size_t>(leaf)) scene_.runs.push_back({});
+    scene_.runs.back().more = false;
+    return ~leaf;
   }
 
   PreparedScene<double>& scene_;
-  std::vector<BoundingBox> bounds_;  // in slope space; spheres, then triangles, as the hierarchy's references
+  SurfaceStore<double> source_;      // in the order of the scene
+  std::vector<Source> bounded_;      // the surfaces with bounds, kind by kind; the hierarchy's references
+  std::vector<BoundingBox> bounds_;  // in slope space, of the same
   std::vector<double> errors_;       // relative, of the same
   Hierarchy hierarchy_;
-  std::vector<SphereSurface<double>> spheres_;  // in the order of the scene
-  std::vector<TriangleSurface<double>> triangles_;
-  std::vector<FlatShading<double>> shading_;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "intersect/datapath_formats.h"
-#include "intersect/surface.h"
+#include "intersect/work.h"
 #include "pyramid/classifier.h"
 
 namespace pyrasim {

@@ -3,9 +3,9 @@
 
 #include <type_traits>
 
+#include "camera/view_vector.h"
 #include "intersect/datapath_formats.h"
 #include "intersect/scene_intersector.h"
-#include "intersect/view_vector.h"
 
 namespace pyrasim {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "intersect/view_vector.h"
+#include "camera/view_vector.h"
 #include "raster/sample.h"
 
 namespace pyrasim {

@@ -11,34 +11,18 @@
 #include <string>
 #include <utility>
 
-#include "error.h"
 #include "json/json_file.h"
 #include "json/json_reader.h"
-#include "scene/degenerate.h"
-#include "scene/load_mesh.h"
+#include "surface/reading.h"
+#include "surface/vectors.h"
 
 namespace pyrasim {
 namespace {
 
-/// The smallest length that is told from zero, world units: its square is far from the smallest double.
-constexpr double min_length = 1e-30;
 /// The smallest angle between the viewing direction and `up`, radians.
 constexpr double min_up_angle = 1e-9;
 
-constexpr NumberRange coordinates{-max_coordinate, max_coordinate};
-constexpr NumberRange lengths{min_length, max_coordinate};
 constexpr NumberRange color_components{0, max_color};
-
-double largest_component(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-/// A vector whose length does not matter, as long as there is one.
-glm::dvec3 read_direction(const JsonReader& reader) {
-  const glm::dvec3 direction = reader.vec3(coordinates);
-  if (largest_component(direction) < min_length) {
-    reader.fail("the vector is zero", fmt::format("a component of at least {} in magnitude is needed", min_length));
-  }
-  return direction;
-}
 
 /// dx, dy and dz from the angle between the screen's left and right sides.
 void apply_field_of_view(const JsonReader& reader, Screen& screen) {
@@ -76,12 +60,12 @@ Screen read_screen(const JsonReader& reader) {
 /// Fails unless the camera's three members span a frame.
 void check_camera(const JsonReader& reader, const Camera& camera) {
   const glm::dvec3 view = camera.look_at - camera.position;
-  const double distance = largest_component(view);
+  const double distance = largest(view);
   if (distance < min_length) {
     reader.fail("look_at is the same point as position", "two different points are needed");
   }
   const glm::dvec3 forward = glm::normalize(view / distance);
-  const glm::dvec3 up = glm::normalize(camera.up / largest_component(camera.up));
+  const glm::dvec3 up = glm::normalize(camera.up / largest(camera.up));
   if (glm::length(glm::cross(forward, up)) < min_up_angle) {
     reader.fail("up is parallel to the viewing direction", "an angle between them other than 0 and 180 is needed");
   }
@@ -106,66 +90,24 @@ Light read_light(const JsonReader& reader) {
   return light;
 }
 
-Triangle read_triangle(const JsonReader& reader) {
-  const JsonReader vertices = reader.member("vertices");
-  const auto elements = vertices.elements(3, 3);
-  Triangle triangle{};
-  std::transform(elements.begin(), elements.end(), triangle.vertices.begin(),
-                 [](const JsonReader& vertex) { return vertex.vec3(coordinates); });
-  const auto& [a, b, c] = triangle.vertices;
-  if (is_degenerate(a, b, c)) vertices.fail("the triangle has no area", "three points not on one line are needed");
-  return triangle;
+/// The surface that "type" names, with its own keys beside those that all objects have.
+SceneSurface read_surface(const JsonReader& reader, const SceneReading& reading) {
+  const auto read = [&]<class... Description>(std::type_identity<std::variant<Description...>>) {
+    using Read = SceneSurface (*)(const JsonReader&, const SceneReading&);
+    const Read chosen = reader.member("type").choice<Read>(
+        {{Description::type, [](const JsonReader& object, const SceneReading& with) {
+            std::vector<std::string_view> keys{"name", "type", "color"};
+            keys.insert(keys.end(), Description::keys.begin(), Description::keys.end());
+            object.allow_keys(keys);
+            return SceneSurface(Description::read(object, with));
+          }}...});
+    return chosen(reader, reading);
+  };
+  return read(std::type_identity<SceneSurface>());
 }
 
-/// What the objects of one scene are read with.
-struct Context {
-  std::filesystem::path folder;  ///< where the paths of meshes begin
-  std::vector<std::string>& warnings;
-  std::vector<std::string>& files;
-};
-
-Mesh read_mesh(const JsonReader& reader, const Context& context) {
-  const JsonReader file = reader.member("file");
-  const std::string name = file.string();
-  if (name.empty() || name.find('\0') != std::string::npos) {
-    file.fail("the path is empty or holds a null character", "the path of an OBJ file is allowed");
-  }
-  try {
-    LoadedMesh loaded = load_mesh(context.folder / name);
-    context.files.push_back((context.folder / name).string());
-    for (const std::string& warning : loaded.warnings) {
-      context.warnings.push_back(fmt::format("{}: {}: {}", file.file(), file.pointer(), warning));
-    }
-    return std::move(loaded.mesh);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}: {}", file.file(), file.pointer(), error.what()));
-  }
-}
-
-enum class Kind { sphere, plane, triangle, mesh };
-
-Surface read_surface(const JsonReader& reader, Kind kind, const Context& context) {
-  switch (kind) {
-    case Kind::sphere:
-      reader.allow_keys({"name", "type", "color", "center", "radius"});
-      return Sphere{reader.member("center").vec3(coordinates), reader.member("radius").number(lengths)};
-    case Kind::plane:
-      reader.allow_keys({"name", "type", "color", "normal", "offset"});
-      return Plane{read_direction(reader.member("normal")), reader.member("offset").number(coordinates)};
-    case Kind::triangle:
-      reader.allow_keys({"name", "type", "color", "vertices"});
-      return read_triangle(reader);
-    case Kind::mesh:
-      break;
-  }
-  reader.allow_keys({"name", "type", "color", "file"});
-  return read_mesh(reader, context);
-}
-
-Object read_object(const JsonReader& reader, const Context& context) {
-  const Kind kind = reader.member("type").choice<Kind>(
-      {{"sphere", Kind::sphere}, {"plane", Kind::plane}, {"triangle", Kind::triangle}, {"mesh", Kind::mesh}});
-  Surface surface = read_surface(reader, kind, context);
+Object read_object(const JsonReader& reader, const SceneReading& reading) {
+  SceneSurface surface = read_surface(reader, reading);
   return {reader.optional_string("name").value_or(""), reader.member("color").vec3(color_components),
           std::move(surface)};
 }
@@ -190,9 +132,9 @@ Scene read_scene(const std::filesystem::path& file, const nlohmann::json& docume
   scene.background = root.optional_vec3("background", color_components).value_or(scene.background);
   if (const auto light = root.find("light")) scene.light = read_light(*light);
   scene.files.push_back(file.string());
-  const Context context{folder_of_meshes(file), scene.warnings, scene.files};
+  const SceneReading reading{folder_of_meshes(file), scene.warnings, scene.files};
   for (const JsonReader& reader : root.member("objects").elements()) {
-    scene.objects.push_back(read_object(reader, context));
+    scene.objects.push_back(read_object(reader, reading));
   }
   return scene;
 }

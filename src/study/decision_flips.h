@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "camera/view_vector.h"
 #include "intersect/intersector.h"
-#include "intersect/view_vector.h"
 #include "numeric/number_format.h"
 #include "render/parallel.h"
 #include "scene/scene.h"

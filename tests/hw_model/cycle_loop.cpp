@@ -9,9 +9,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "camera/view_vector.h"
 #include "hw_model/message.h"
 #include "intersect/intersector.h"
-#include "intersect/view_vector.h"
 #include "pyramid/classifier.h"
 
 namespace pyrasim::hw {

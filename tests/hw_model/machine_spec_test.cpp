@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "../error_of.h"
-#include "../scene/temp_folder.h"
 #include "../shipped_scene.h"
+#include "../temp_folder.h"
 #include "../test_scenes.h"
 #include "error.h"
 #include "hw_model/processor.h"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "../test_scenes.h"
+#include "camera/view_vector.h"
 #include "error.h"
-#include "intersect/view_vector.h"
 #include "numeric/number_types.h"
 
 namespace pyrasim {

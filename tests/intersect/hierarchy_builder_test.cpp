@@ -34,7 +34,7 @@ struct Walk {
   std::size_t nodes = 0;
 
   void visit(std::uint32_t index, int level) {
-    const HierarchyNode& node = hierarchy.nodes.at(index);
+    const BinaryNode& node = hierarchy.nodes.at(index);
     ++nodes;
     depth = std::max(depth, level);
     if (node.count == 0) {

@@ -107,7 +107,7 @@ void expect_no_false_miss(std::uint64_t seed) {
   Provocation provocation(seed);
   const SceneIntersector<Scalar> intersector(provocation.scene());
   const auto every_hit = make_every_hit(provocation.scene(), FormatOf<Scalar>::value);
-  const auto& spheres = intersector.scene().spheres;
+  const auto& spheres = surfaces_of<SphereSurface>(intersector.scene());
   for (std::size_t k = 0; k < 600; ++k) {
     glm::dvec3 view_vector = provocation.view_vector();
     if (k % 2 == 0 && !spheres.empty()) {

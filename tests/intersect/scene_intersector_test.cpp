@@ -142,14 +142,14 @@ TYPED_TEST(SceneIntersectorOf, TenThousandCoincidentSpheres) {
   const SceneIntersector<TypeParam> intersector(scene);
   Work work;
   EXPECT_EQ(intersector.intersect({1, 0.2, 0}, work).object, 1U);
-  EXPECT_GE(work.surface_tests[static_cast<std::size_t>(SurfaceKind::sphere)], 9999U);
+  EXPECT_GE(work.surface_tests[index_of_kind<SphereSurface>], 9999U);
   EXPECT_EQ(intersector.intersect({1, -0.9, 0}, work).object, no_object);
 }
 
 TYPED_TEST(SceneIntersectorOf, MeshIsOneObject) {
   Scene scene = empty_scene(1, 1, 1);
   scene.objects.push_back(object(Sphere{{50, 0, 0}, 1}));
-  scene.objects.push_back(object(Mesh{{{2, -1, -1}, {2, 1, -1}, {2, 1, 1}, {2, -1, 1}}, {{{0, 1, 2}}, {{0, 2, 3}}}}));
+  scene.objects.push_back(object(Mesh{{{{2, -1, -1}, {2, 1, -1}, {2, 1, 1}, {2, -1, 1}}, {{{0, 1, 2}}, {{0, 2, 3}}}}}));
   for (const double y : {-0.25, 0.0, 0.25}) {
     for (const double z : {-0.25, 0.0, 0.25}) {
       EXPECT_EQ(this->look(scene, to_scalar<TypeParam>({1, y, z})).object, 1U) << y << " " << z;

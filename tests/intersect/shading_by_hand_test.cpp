@@ -53,8 +53,8 @@ std::vector<Object> the_triangle() {
        std::vector<std::array<glm::dvec3, 3>>{{a, b, c}, {b, c, a}, {c, a, b}, {a, c, b}, {c, b, a}, {b, a, c}}) {
     all.push_back(object(Triangle{vertices}));
   }
-  all.push_back(object(Mesh{{a, b, c}, {{0, 1, 2}}}));
-  all.push_back(object(Mesh{{a, b, c}, {{2, 1, 0}}}));
+  all.push_back(object(Mesh{{{a, b, c}, {{0, 1, 2}}}}));
+  all.push_back(object(Mesh{{{a, b, c}, {{2, 1, 0}}}}));
   return all;
 }
 

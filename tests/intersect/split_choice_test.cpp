@@ -9,7 +9,7 @@
 #include "../test_scenes.h"
 #include "intersect/hierarchy_builder.h"
 #include "intersect/scene_intersector.h"
-#include "intersect/slope_bounds.h"
+#include "surface/slope_bounds.h"
 
 namespace pyrasim {
 namespace {
@@ -76,7 +76,7 @@ struct Counts {
 
 /// Checks every choice of the hierarchy below `index`, where all could be had. Returns the node's boxes.
 Set check(const Boxes& boxes, const Hierarchy& hierarchy, std::uint32_t index, Counts& counts) {
-  const HierarchyNode& node = hierarchy.nodes.at(index);
+  const BinaryNode& node = hierarchy.nodes.at(index);
   if (node.count > 0) {
     const auto first = hierarchy.references.begin() + node.first;
     const Set set(first, first + node.count);
@@ -147,9 +147,9 @@ std::string written(std::vector<std::string> parts, const char* open, const char
 std::string tree_of(const PreparedScene<double>& scene, std::int32_t reference) {
   std::vector<std::string> parts;
   if (reference < 0) {
-    const auto& leaf = scene.leaves.at(static_cast<std::size_t>(~reference));
-    for (std::uint32_t k = 0; k < leaf.spheres; ++k) {
-      parts.push_back(std::to_string(scene.spheres.at(leaf.first_sphere + k).identity.order));
+    const SurfaceRun& run = *first_run(scene.runs, reference);
+    for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
+      parts.push_back(std::to_string(surfaces_of<SphereSurface>(scene).at(k).identity.order));
     }
     return written(parts, "[", "]");
   }
@@ -161,7 +161,7 @@ std::string tree_of(const PreparedScene<double>& scene, std::int32_t reference) 
 /// The same from the binary hierarchy: of a node's children the one that is largest on the screen gives way to its own
 /// two, until there are four or none can.
 std::string wide_tree_of(const Hierarchy& hierarchy, std::uint32_t index) {
-  const HierarchyNode& node = hierarchy.nodes.at(index);
+  const BinaryNode& node = hierarchy.nodes.at(index);
   std::vector<std::string> parts;
   if (node.count > 0) {
     for (std::uint32_t k = 0; k < node.count; ++k) {

@@ -18,7 +18,7 @@ struct Entry {
 ClearStanding<double> standing_of(const std::vector<Entry>& entries) {
   ClearStanding<double> standing;
   for (std::uint32_t k = 0; k < entries.size(); ++k) {
-    standing.enter({entries[k].t, SurfaceKind::sphere, k}, entries[k].relative_error);
+    standing.enter({entries[k].t, kind_of<SphereSurface>, k}, entries[k].relative_error);
   }
   return standing;
 }
@@ -29,11 +29,11 @@ TEST(ClearStanding, TheNearerLeadsWhateverCameFirst) {
   const Entry far{1.071, 0.019};
   const ClearStanding<double> near_first = standing_of({near, far});
   EXPECT_FALSE(near_first.undecided());
-  EXPECT_EQ(near_first.leader().index, 0U);
+  EXPECT_EQ(near_first.leader()->index, 0U);
   EXPECT_EQ(near_first.highest(), 1.01);
   const ClearStanding<double> far_first = standing_of({far, near});
   EXPECT_FALSE(far_first.undecided());
-  EXPECT_EQ(far_first.leader().index, 1U);
+  EXPECT_EQ(far_first.leader()->index, 1U);
   EXPECT_EQ(far_first.highest(), 1.01);
 }
 
@@ -53,7 +53,7 @@ TEST(ClearStanding, NobodyLeadsWhereRangesMeet) {
 TEST(ClearStanding, NobodyLeadsBeforeTheFirstHit) {
   const ClearStanding<double> none = standing_of({});
   EXPECT_FALSE(none.undecided());
-  EXPECT_EQ(none.leader().index, no_object);
+  EXPECT_EQ(none.leader(), nullptr);
 }
 
 }  // namespace

@@ -8,13 +8,12 @@
 #include <type_traits>
 
 #include "../test_scenes.h"
-#include "intersect/distance_range.h"
-#include "intersect/plane.h"
-#include "intersect/relative_error.h"
 #include "intersect/rounded_scene.h"
 #include "intersect/scene_intersector.h"
-#include "intersect/sphere.h"
-#include "intersect/triangle.h"
+#include "surface/distance_range.h"
+#include "surface/plane.h"
+#include "surface/sphere.h"
+#include "surface/triangle.h"
 
 namespace pyrasim {
 namespace {
@@ -27,12 +26,12 @@ class PlainWalk {
  public:
   PlainWalk(const PreparedScene<Scalar>& scene, const Vector<Scalar>& direction)
       : scene_(scene), direction_(direction), inverse_length_squared_(Scalar(1) / dot(direction, direction)) {
-    for (const auto& plane : scene.planes) {
-      ++work_.surface_tests[1];
-      const Scalar t = intersect_plane(plane, direction);
+    for (const auto& plane : surfaces_of<PlaneSurface>(scene)) {
+      ++work_.surface_tests[index_of_kind<PlaneSurface>];
+      const Scalar t = plane.intersect(ViewRay<Scalar>(direction));
       const double length = static_cast<double>(t) / std::sqrt(static_cast<double>(inverse_length_squared_));
-      const bool holds = length * length <= plane.squared_length;
-      meet(t, holds ? plane.relative_error : std::numeric_limits<double>::infinity(), plane);
+      const bool holds = length * length <= plane.error.squared_length;
+      meet(t, holds ? plane.error.relative : std::numeric_limits<double>::infinity(), plane);
     }
     visit(scene.root);
   }
@@ -44,7 +43,9 @@ class PlainWalk {
  private:
   void visit(std::int32_t reference) {
     if (reference < 0) {
-      test(scene_.leaves.at(static_cast<std::size_t>(~reference)));
+      std::size_t run = static_cast<std::size_t>(~reference);
+      test(scene_.runs.at(run));
+      while (scene_.runs.at(run).more) test(scene_.runs.at(++run));
       return;
     }
     const auto& node = scene_.nodes.at(static_cast<std::size_t>(reference));
@@ -63,17 +64,17 @@ class PlainWalk {
            direction_.y <= boxes.upper_y[k] && boxes.lower_z[k] <= direction_.z && direction_.z <= boxes.upper_z[k];
   }
 
-  void test(const typename PreparedScene<Scalar>::Leaf& leaf) {
-    for (std::uint32_t k = 0; k < leaf.spheres; ++k) {
-      ++work_.surface_tests[0];
-      const auto& sphere = scene_.spheres.at(leaf.first_sphere + k);
-      meet(intersect_sphere(sphere, direction_, inverse_length_squared_), leaf.relative_error, sphere);
-    }
-    for (std::uint32_t k = 0; k < leaf.triangles; ++k) {
-      ++work_.surface_tests[2];
-      const auto& triangle = scene_.triangles.at(leaf.first_triangle + k);
-      meet(intersect_triangle(triangle, TriangleShear<Scalar>(direction_)), leaf.relative_error, triangle);
-    }
+  void test(const SurfaceRun& run) {
+    for_each_kind([&](auto kind) {
+      if (run.kind != kind_at<kind>) return;
+      for (std::uint32_t k = 0; k < run.count; ++k) {
+        ++work_.surface_tests[kind];
+        const auto& surface = std::get<kind>(scene_.kinds).surfaces.at(run.first + k);
+        const ViewRay<Scalar> ray(direction_);
+        const typename std::tuple_element_t<kind, SurfaceTypes<Scalar>>::Terms terms(ray);
+        meet(surface.intersect(terms), run.relative_error, surface);
+      }
+    });
   }
 
   template <class Surface>
@@ -145,16 +146,24 @@ TYPED_TEST(WorkOf, ALeafErrsByTheMostOfItsSurfaces) {
   const Scene scene = random_scene(6, {60, 60, 0}, 64, 64);
   const PreparedScene<double> prepared = prepare_scene(scene, FormatOf<TypeParam>::value);
   int of_several = 0;
-  for (const auto& leaf : prepared.leaves) {
+  for (std::size_t k = 0; k < prepared.runs.size(); ++k) {
+    const double noted = prepared.runs[k].relative_error;
     double most = 0;
-    for (std::uint32_t k = 0; k < leaf.spheres; ++k) {
-      most = std::max(most, relative_error(prepared.spheres.at(leaf.first_sphere + k), prepared.rounding));
+    std::uint32_t surfaces = 0;
+    for (;; ++k) {
+      const SurfaceRun& run = prepared.runs.at(k);
+      EXPECT_EQ(run.relative_error, noted);
+      for (std::uint32_t s = run.first; s < run.first + run.count; ++s, ++surfaces) {
+        if (run.kind == kind_of<SphereSurface>) {
+          most = std::max(most, relative_error(surfaces_of<SphereSurface>(prepared).at(s), prepared.rounding));
+        } else {
+          most = std::max(most, relative_error(surfaces_of<TriangleSurface>(prepared).at(s), prepared.rounding));
+        }
+      }
+      if (!run.more) break;
     }
-    for (std::uint32_t k = 0; k < leaf.triangles; ++k) {
-      most = std::max(most, relative_error(prepared.triangles.at(leaf.first_triangle + k), prepared.rounding));
-    }
-    EXPECT_EQ(leaf.relative_error, most);
-    of_several += leaf.spheres + leaf.triangles > 1 ? 1 : 0;
+    EXPECT_EQ(noted, most);
+    of_several += surfaces > 1 ? 1 : 0;
   }
   EXPECT_GT(of_several, 10);
 }

@@ -6,13 +6,13 @@
 
 #include <thread>
 
+#include "camera/view_vector.h"
 #include "intersect/box_test.h"
-#include "intersect/plane.h"
-#include "intersect/ray.h"
-#include "intersect/sphere.h"
-#include "intersect/triangle.h"
-#include "intersect/view_vector.h"
 #include "numeric/number_types.h"
+#include "surface/plane.h"
+#include "surface/sphere.h"
+#include "surface/triangle.h"
+#include "surface/view_ray.h"
 
 namespace pyrasim {
 namespace {
@@ -43,13 +43,13 @@ void expect_hits() {
   const auto direction = vector<Scalar>(1, 0, 0);
   const ViewRay<Scalar> ray(direction);
   const SphereSurface<Scalar> sphere{vector<Scalar>(4, 0.5, 0), Scalar(1), Scalar(15.25), Scalar(1), identity};
-  const Scalar t = intersect_sphere(sphere, direction, ray.inverse_length_squared);
+  const Scalar t = sphere.intersect(ray);
   EXPECT_NEAR(static_cast<double>(t), 4 - std::sqrt(0.75), tolerance<Scalar>());
-  const PlaneSurface<Scalar> plane{Scalar(-3), identity, {vector<Scalar>(-1, 0, 0), Scalar(1), Scalar(1)}};
-  EXPECT_EQ(intersect_plane(plane, direction), Scalar(3));
+  const PlaneSurface<Scalar> plane{vector<Scalar>(-1, 0, 0), Scalar(-3), identity};
+  EXPECT_EQ(plane.intersect(ray), Scalar(3));
   const std::array<std::array<Scalar, 3>, 3> vertices{
       {{Scalar(2), Scalar(-1), Scalar(-1)}, {Scalar(2), Scalar(1), Scalar(-1)}, {Scalar(2), Scalar(0), Scalar(1)}}};
-  EXPECT_EQ(intersect_triangle({vertices, identity}, TriangleShear<Scalar>(direction)), Scalar(2));
+  EXPECT_EQ((TriangleSurface<Scalar>{vertices, identity}.intersect(TriangleShear<Scalar>(direction))), Scalar(2));
 }
 
 /// A ray of slopes 0 and 0.5 through a box about it, past one beside it, along another's edge, and short of one.

@@ -15,11 +15,11 @@ const glm::dvec3 red(1, 0, 0);
 const glm::dvec3 green(0, 1, 0);
 
 /// 96 x 96 pixels, 40 degrees.
-Scene scene_of(const Surface& first, const std::vector<Surface>& others) {
+Scene scene_of(const SceneSurface& first, const std::vector<SceneSurface>& others) {
   Scene scene = empty_scene(96, 96, 2 * std::tan(20 * 3.141592653589793 / 180) / 96);
   scene.background = {0, 0, 0};
   scene.objects = {object(first, red)};
-  for (const Surface& other : others) scene.objects.push_back(object(other, green));
+  for (const SceneSurface& other : others) scene.objects.push_back(object(other, green));
   return scene;
 }
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "../error_of.h"
+#include "../temp_folder.h"
 #include "error.h"
 #include "scene/load_scene.h"
-#include "temp_folder.h"
 
 namespace pyrasim {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "../error_of.h"
 #include "../shipped_scene.h"
+#include "../temp_folder.h"
 #include "error.h"
-#include "temp_folder.h"
 
 namespace pyrasim {
 namespace {

@@ -7,7 +7,7 @@ namespace pyrasim {
 namespace {
 
 /// `copies` of one surface, each object of its own color, among others that the hierarchy has to put somewhere.
-Scene with_copies(const Surface& surface, int copies) {
+Scene with_copies(const SceneSurface& surface, int copies) {
   Scene scene = empty_scene(8, 8, 0.05);
   for (int k = 0; k < copies; ++k) {
     scene.objects.push_back(object(surface, glm::dvec3(k == 0 ? 1 : 0, 0.5, 0.5)));
@@ -16,11 +16,11 @@ Scene with_copies(const Surface& surface, int copies) {
   return scene;
 }
 
-const std::vector<Surface> surfaces{Sphere{{5, 0.3, -0.1}, 2}, Plane{{1, 0.25, 0.125}, 5},
-                                    Triangle{{{{5, -3, -2}, {5.5, 4, -2}, {6, 0, 4}}}}};
+const std::vector<SceneSurface> surfaces{Sphere{{5, 0.3, -0.1}, 2}, Plane{{1, 0.25, 0.125}, 5},
+                                         Triangle{{{{5, -3, -2}, {5.5, 4, -2}, {6, 0, 4}}}}};
 
 TEST(ExtremesCoincident, TheFirstIsSeenInEveryFormat) {
-  for (const Surface& surface : surfaces) {
+  for (const SceneSurface& surface : surfaces) {
     const Scene scene = with_copies(surface, 40);
     for (const NumberFormat& format : number_formats()) {
       SCOPED_TRACE(format.name());

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "../real.h"
+#include "camera/view_vector.h"
 #include "formats.h"
-#include "intersect/view_vector.h"
 
 namespace pyrasim {
 namespace {

@@ -2,9 +2,9 @@
 // Extremes: an observer on a sphere, or inside it. His place is computed in double, so that it is only nearly on it.
 #include "../real.h"
 #include "formats.h"
-#include "intersect/ray.h"
 #include "intersect/rounded_scene.h"
-#include "intersect/sphere.h"
+#include "surface/sphere.h"
+#include "surface/view_ray.h"
 
 namespace pyrasim {
 namespace {
@@ -35,14 +35,14 @@ TEST(ExtremesOnSurface, NoSelfHitsAndTheFarSideIsSeen) {
     Errors errors;
     for (int s = 0; s < 100; ++s) {
       const auto prepared = prepare_scene(standing_on_a_sphere(random), FormatOf<Scalar>::value);
-      ASSERT_EQ(prepared.spheres[0].power, 0);
-      const auto sphere = rounded<Scalar>(prepared.spheres[0]);
+      ASSERT_EQ(surfaces_of<SphereSurface>(prepared)[0].power, 0);
+      const auto sphere = rounded<Scalar>(surfaces_of<SphereSurface>(prepared)[0]);
       const RealVector center = real(sphere.center);
       for (int k = 0; k < 60; ++k) {
         const auto direction = to_scalar<Scalar>(random.unit_vector());
         const RealVector d = real(direction);
         const Real cosine = dot(center, d) / sqrt(dot(center, center) * dot(d, d));
-        const Scalar t = intersect_sphere(sphere, direction, ViewRay<Scalar>(direction).inverse_length_squared);
+        const Scalar t = sphere.intersect(ViewRay<Scalar>(direction));
         if (cosine < Real(-4 * rounding)) {
           ASSERT_EQ(t, Scalar(0)) << static_cast<double>(cosine);
           ++away;
@@ -73,13 +73,13 @@ TEST(ExtremesOnSurface, FromInsideEveryRayMeetsTheSphere) {
       Scene scene = empty_scene(64, 64, 0.03);
       scene.objects = {object(Sphere{{0, center, 0}, 1})};
       const auto prepared = prepare_scene(scene, FormatOf<Scalar>::value);
-      const auto sphere = rounded<Scalar>(prepared.spheres[0]);
+      const auto sphere = rounded<Scalar>(surfaces_of<SphereSurface>(prepared)[0]);
       const Real scale = std::ldexp(1.0, prepared.exponent);
       for (int k = 0; k < 40; ++k) {
         glm::dvec3 v(k % 4 < 2 ? 1 : -1, random.uniform(-1, 1), random.uniform(-1, 1));
         if (k % 2 == 0) v.y *= std::exp2(-random.uniform(0, 20));  // nearly along the wall
         const auto direction = to_scalar<Scalar>(v);
-        const Scalar t = intersect_sphere(sphere, direction, ViewRay<Scalar>(direction).inverse_length_squared);
+        const Scalar t = sphere.intersect(ViewRay<Scalar>(direction));
         ASSERT_GT(t, Scalar(0)) << 1 - center << " " << v.y;
         const RealVector d = real(direction);
         const Real along = Real(center) * d.y;

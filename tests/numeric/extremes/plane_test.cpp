@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: planes far from the world's origin, and seen at grazing angles.
-#include "intersect/plane.h"
+#include "surface/plane.h"
 
 #include "../real.h"
 #include "formats.h"
@@ -11,7 +11,7 @@ namespace {
 
 template <class Scalar>
 Scalar t_of_plane(const Vector<Scalar>& normal, Scalar offset, const Vector<Scalar>& direction) {
-  return intersect_plane<Scalar>({offset, {0, 0}, {normal, Scalar(1), Scalar(1)}}, direction);
+  return PlaneSurface<Scalar>{normal, offset}.intersect(ViewRay<Scalar>(direction));
 }
 
 /// Rays at 1e-6 to the plane, or 2^(4-P) where the format is too narrow to aim so well. The normal is the format's own.
@@ -62,7 +62,7 @@ TEST(ExtremesPlane, FarFromTheOrigin) {
       const Real distance = Real(offset) - dot(real(normal), real(position));
       if (approach < Real(1)) continue;
       const Real exact = Real(std::ldexp(1.0, prepared.exponent)) * distance / approach;
-      const Scalar t = intersect_plane(rounded<Scalar>(prepared.planes[0]), direction);
+      const Scalar t = rounded<Scalar>(surfaces_of<PlaneSurface>(prepared)[0]).intersect(ViewRay<Scalar>(direction));
       errors.add(error_in_ulp(t, exact));
     }
     ASSERT_GT(errors.count(), 1000U);

@@ -55,18 +55,20 @@ TEST(ExtremesScale, TheDatapathSeesTheSameNumbers) {
     for (const int k : {-100, -40, 1, 40, 100}) {
       const auto prepared = prepare_scene(scaled(scene, k), format);
       EXPECT_EQ(prepared.exponent, expected.exponent - k);
-      ASSERT_EQ(prepared.spheres.size(), expected.spheres.size());
-      for (std::size_t s = 0; s < prepared.spheres.size(); ++s) {
-        EXPECT_EQ(prepared.spheres[s].center, expected.spheres[s].center);
-        EXPECT_EQ(prepared.spheres[s].radius_squared, expected.spheres[s].radius_squared);
-        EXPECT_EQ(prepared.spheres[s].power, expected.spheres[s].power);
-        EXPECT_EQ(prepared.spheres[s].radius, expected.spheres[s].radius);
+      ASSERT_EQ(surfaces_of<SphereSurface>(prepared).size(), surfaces_of<SphereSurface>(expected).size());
+      for (std::size_t s = 0; s < surfaces_of<SphereSurface>(prepared).size(); ++s) {
+        EXPECT_EQ(surfaces_of<SphereSurface>(prepared)[s].center, surfaces_of<SphereSurface>(expected)[s].center);
+        EXPECT_EQ(surfaces_of<SphereSurface>(prepared)[s].radius_squared,
+                  surfaces_of<SphereSurface>(expected)[s].radius_squared);
+        EXPECT_EQ(surfaces_of<SphereSurface>(prepared)[s].power, surfaces_of<SphereSurface>(expected)[s].power);
+        EXPECT_EQ(surfaces_of<SphereSurface>(prepared)[s].radius, surfaces_of<SphereSurface>(expected)[s].radius);
       }
-      for (std::size_t s = 0; s < prepared.triangles.size(); ++s) {
-        EXPECT_EQ(prepared.triangles[s].vertices, expected.triangles[s].vertices);
+      for (std::size_t s = 0; s < surfaces_of<TriangleSurface>(prepared).size(); ++s) {
+        EXPECT_EQ(surfaces_of<TriangleSurface>(prepared)[s].vertices,
+                  surfaces_of<TriangleSurface>(expected)[s].vertices);
       }
-      for (std::size_t s = 0; s < prepared.planes.size(); ++s) {
-        EXPECT_EQ(prepared.planes[s].offset, expected.planes[s].offset);
+      for (std::size_t s = 0; s < surfaces_of<PlaneSurface>(prepared).size(); ++s) {
+        EXPECT_EQ(surfaces_of<PlaneSurface>(prepared)[s].offset, surfaces_of<PlaneSurface>(expected)[s].offset);
       }
     }
   }

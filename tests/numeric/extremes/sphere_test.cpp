@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: far spheres, and an observer just above a huge one.
-#include "intersect/sphere.h"
+#include "surface/sphere.h"
 
 #include <optional>
 
 #include "../real.h"
 #include "formats.h"
-#include "intersect/ray.h"
 #include "intersect/rounded_scene.h"
+#include "surface/view_ray.h"
 
 namespace pyrasim {
 namespace {
@@ -18,9 +18,7 @@ class SeenSphere {
  public:
   SeenSphere(const glm::dvec3& center, double radius) : SeenSphere(center, radius, prepared(center, radius)) {}
 
-  Scalar t(const Vector<Scalar>& direction) const {
-    return intersect_sphere(surface_, direction, ViewRay<Scalar>(direction).inverse_length_squared);
-  }
+  Scalar t(const Vector<Scalar>& direction) const { return surface_.intersect(ViewRay<Scalar>(direction)); }
 
   /// None where the ray passes the centre by more than `share` of the radius.
   std::optional<Real> exact_t(const Vector<Scalar>& direction, double share) const {
@@ -41,7 +39,7 @@ class SeenSphere {
   }
 
   SeenSphere(const glm::dvec3& center, double radius, const PreparedScene<double>& scene)
-      : surface_(rounded<Scalar>(scene.spheres[0])) {
+      : surface_(rounded<Scalar>(surfaces_of<SphereSurface>(scene)[0])) {
     const Real scale = std::ldexp(1.0, scene.exponent);
     center_ = {scale * center.x, scale * center.y, scale * center.z};
     radius_squared_ = scale * scale * Real(radius) * Real(radius);
@@ -172,9 +170,8 @@ TEST(ExtremesSphere, NearestTIsMonotoneInTheRadius) {
         scene.objects = {object(Sphere{center, 0.045 * k}),
                          object(Sphere{{1, 0, 0}, 9})};  // the second fixes the scale
         const auto prepared = prepare_scene(scene, FormatOf<Scalar>::value);
-        const auto surface = rounded<Scalar>(prepared.spheres[0]);
-        const auto t = static_cast<double>(
-            intersect_sphere(surface, direction, ViewRay<Scalar>(direction).inverse_length_squared));
+        const auto surface = rounded<Scalar>(surfaces_of<SphereSurface>(prepared)[0]);
+        const auto t = static_cast<double>(surface.intersect(ViewRay<Scalar>(direction)));
         if (t == 0) break;  // passed by; smaller ones are too
         ASSERT_GE(t, last) << s << " " << k;
         last = t;

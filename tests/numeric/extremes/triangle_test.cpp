@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: rays aimed at the edges and vertices that triangles share.
-#include "intersect/triangle.h"
+#include "surface/triangle.h"
 
 #include <array>
 #include <numbers>
@@ -61,7 +61,7 @@ int hits(const std::vector<Corners<Scalar>>& mesh, const Vector<Scalar>& directi
   int count = 0;
   for (const auto& [a, b, c] : mesh) {
     const TriangleSurface<Scalar> triangle{{{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}}, {0, 0}};
-    count += intersect_triangle(triangle, shear) > Scalar(0) ? 1 : 0;
+    count += triangle.intersect(shear) > Scalar(0) ? 1 : 0;
   }
   return count;
 }
@@ -144,7 +144,7 @@ void expect_even_crossings(int rays) {
       bool touches = false;
       for (const auto& [a, b, c] : mesh) {
         const TriangleSurface<Scalar> triangle{{{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}}, {0, 0}};
-        if (intersect_triangle(triangle, shear) > Scalar(0)) ++count;
+        if (triangle.intersect(shear) > Scalar(0)) ++count;
         const auto sheared = [&](const Vector<Scalar>& v) {
           return std::pair(v.y - shear.sx * v.x, v.z - shear.sy * v.x);  // kz is 0: x is the largest component
         };

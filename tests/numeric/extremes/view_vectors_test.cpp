@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: view vectors of large screens at deep levels.
 #include "../real.h"
+#include "camera/view_vector.h"
 #include "formats.h"
-#include "intersect/view_vector.h"
 
 namespace pyrasim {
 namespace {

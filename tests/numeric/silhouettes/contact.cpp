@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "error_bound.h"
-#include "intersect/distance_range.h"
+#include "surface/distance_range.h"
 
 namespace pyrasim::silhouettes {
 namespace {
@@ -42,7 +42,7 @@ Meeting<Number> meet(const SphereSurface<double>& sphere, const Number& y, const
 
 template <class Number>
 Meeting<Number> meet(const PlaneSurface<double>& plane, const Number& y, const Number& z) {
-  const auto& n = plane.shading.normal;
+  const auto& n = plane.normal;
   const Number approach = Number(n.x) + Number(n.y) * y + Number(n.z) * z;
   const int side = sign(approach) * sign(plane.offset);
   const Number t = side == 0 ? Number(0) : Number(plane.offset) / approach;
@@ -105,12 +105,14 @@ std::vector<Contact> contacts(const ExactScene& scene, const Ray& ray, const Rou
     result.push_back(contact);
     distances.push_back(met.t);
   };
-  for (std::size_t k = 0; k < scene.spheres().size(); ++k) add(SurfaceKind::sphere, scene.spheres()[k], k);
-  for (std::size_t k = 0; k < scene.planes().size(); ++k) add(SurfaceKind::plane, scene.planes()[k], k);
   const Nearby nearby(scene, ray, rounding);
-  for (std::size_t k = 0; k < scene.triangles().size(); ++k) {
-    if (nearby(scene.extents()[k])) add(SurfaceKind::triangle, scene.triangles()[k], k);
-  }
+  for_each_kind([&](auto kind) {
+    const auto& surfaces = scene.surfaces<kind>();
+    for (std::size_t k = 0; k < surfaces.size(); ++k) {
+      if (kind_at<kind> == kind_of<TriangleSurface> && !nearby(scene.extents()[k])) continue;
+      add(kind_at<kind>, surfaces[k], k);
+    }
+  });
   std::size_t nearest = result.size();
   for (std::size_t k = 0; k < result.size(); ++k) {
     if (!result[k].hit) continue;
@@ -167,34 +169,15 @@ Verdict verdict(const TriangleSurface<double>& triangle, const Ray& ray, const C
   return result;
 }
 
-SphereSurface<double> scaled(SphereSurface<double> sphere, double factor) {
-  sphere.center = sphere.center * factor;
-  sphere.radius *= factor;
-  sphere.radius_squared *= factor * factor;
-  sphere.power *= factor * factor;
-  return sphere;
-}
-
-PlaneSurface<double> scaled(PlaneSurface<double> plane, double factor) {
-  plane.offset *= factor;
-  return plane;
-}
-
-TriangleSurface<double> scaled(TriangleSurface<double> triangle, double factor) {
-  for (auto& vertex : triangle.vertices) {
-    for (double& coordinate : vertex) coordinate *= factor;
-  }
-  return triangle;
-}
-
 /// The hit errs, and the datapath grants it as much again to either side: the range of twice the rounding.
 template <class Surface>
 Verdict with_range(Verdict verdict, const ExactScene& scene, const Surface& surface, const Ray& ray,
                    const Contact& contact, const Rounding& rounding) {
   const double factor = std::ldexp(1.0, rounding.exponent);
+  const Surface scaled = surface.template mapped<double>(Scaling{rounding.exponent});
   const RoundingUnits units{2 * rounding.relative, 2 * rounding.absolute, scene.place() * factor};
   const Vector<double> direction{1, ray.y<double>(), ray.z<double>()};
-  const DistanceRange range = distance_range(scaled(surface, factor), direction, contact.t * factor, units);
+  const DistanceRange range = distance_range(scaled, direction, contact.t * factor, units);
   verdict.begins_behind = std::min(verdict.lowest_behind, contact.behind + (range.lowest / factor - contact.t));
   verdict.ends_behind = std::max(verdict.highest_behind, contact.behind + (range.highest / factor - contact.t));
   return verdict;
@@ -206,14 +189,7 @@ Verdict verdict(const ExactScene& scene, const Ray& ray, const Contact& contact,
   const auto of = [&](const auto& surface) {
     return with_range(verdict(surface, ray, contact, rounding), scene, surface, ray, contact, rounding);
   };
-  switch (contact.kind) {
-    case SurfaceKind::sphere:
-      return of(scene.spheres()[contact.index]);
-    case SurfaceKind::plane:
-      return of(scene.planes()[contact.index]);
-    default:
-      return of(scene.triangles()[contact.index]);
-  }
+  return with_kind(contact.kind, [&](auto kind) { return of(scene.surfaces<kind>()[contact.index]); });
 }
 
 }  // namespace pyrasim::silhouettes

@@ -29,7 +29,7 @@ struct Bounded {
   double error;
 };
 
-/// The steps of intersect_sphere(), each with its error.
+/// The steps of SphereSurface::intersect(), each with its error.
 class SphereSteps {
  public:
   SphereSteps(const SphereSurface<double>& sphere, const Ray& ray, const Rounding& rounding)
@@ -176,7 +176,7 @@ PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const 
   const double u = rounding.relative;
   const Triple d = direction(ray);
   const Triple slopes = slope_errors(ray, rounding);
-  const auto& normal = plane.shading.normal;
+  const auto& normal = plane.normal;
   const Triple n{normal.x, normal.y, normal.z};
   double approach = 0, size = 0, error = 0;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the datapath's numbers may lie from the exact ones: forward error bounds of the kernels in src/intersect,
+// How far the datapath's numbers may lie from the exact ones: forward error bounds of the kernels in src/surface,
 // term by term, for rays along (1, y, z) and scenes as ExactScene takes them.
 #pragma once
 
 #include <array>
 
-#include "intersect/surface.h"
 #include "ray.h"
 #include "rounding.h"
+#include "surface/surface.h"
 
 namespace pyrasim::silhouettes {
 
-/// Of intersect_sphere().
+/// Of SphereSurface::intersect().
 struct SphereBound {
   double discriminant;  ///< a ray hits where it is not negative
   double along;         ///< and where the centre's component along the ray is positive
@@ -19,15 +19,15 @@ struct SphereBound {
 };
 SphereBound error_bound(const SphereSurface<double>& sphere, const Ray& ray, const Rounding& rounding);
 
-/// Of intersect_plane(): of n . d, whose sign decides, and the range of t.
+/// Of PlaneSurface::intersect(): of n . d, whose sign decides, and the range of t.
 struct PlaneBound {
   double approach;
   double lowest_t, highest_t;
 };
 PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const Rounding& rounding);
 
-/// Of intersect_triangle(): of the three edge functions, whose signs decide, and the range of t, where it counts as
-/// hit.
+/// Of TriangleSurface::intersect(): of the three edge functions, whose signs decide, and the range of t, where it
+/// counts as hit.
 struct TriangleBound {
   std::array<double, 3> edges;
   bool beside;              ///< the ray certainly passes the bounds of the vertices

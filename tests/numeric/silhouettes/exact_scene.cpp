@@ -22,7 +22,7 @@ ExactScene::ExactScene(const Scene& scene) : prepared_(prepare_scene(scene, {}))
   const Screen& screen = scene.camera.screen;
   require(screen.rows * screen.dy <= 2 * screen.dx && screen.columns * screen.dz <= 2 * screen.dx,
           "error bounds are for slopes of at most 1");
-  for (const auto& sphere : spheres()) {
+  for (const auto& sphere : surfaces_of<SphereSurface>(prepared_)) {
     require(sphere.power > 0, "error bounds are for an observer outside of spheres");
   }
   find_extents();

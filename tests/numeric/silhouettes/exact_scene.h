@@ -15,9 +15,11 @@ class ExactScene {
  public:
   explicit ExactScene(const Scene& scene);
 
-  const std::vector<SphereSurface<double>>& spheres() const { return prepared_.spheres; }
-  const std::vector<PlaneSurface<double>>& planes() const { return prepared_.planes; }
-  const std::vector<TriangleSurface<double>>& triangles() const { return prepared_.triangles; }
+  template <std::size_t kind>
+  const auto& surfaces() const {
+    return std::get<kind>(prepared_.kinds).surfaces;
+  }
+  const std::vector<TriangleSurface<double>>& triangles() const { return surfaces_of<TriangleSurface>(prepared_); }
 
   /// The largest of the observer's coordinates in the world.
   double place() const { return prepared_.rounding.place; }

@@ -13,7 +13,7 @@ Explanation::Explanation(const ExactScene& scene, const Ray& ray, const std::vec
     : scene_(scene), contacts_(contacts) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     verdicts_.push_back(verdict(scene, ray, contacts[k], rounding));
-    if (contacts[k].kind == SurfaceKind::triangle) triangles_.emplace(contacts[k].index, k);
+    if (contacts[k].kind == kind_of<TriangleSurface>) triangles_.emplace(contacts[k].index, k);
   }
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     certain_.push_back(contacts[k].hit ? certain_hit(k) : std::nullopt);
@@ -25,7 +25,7 @@ Explanation::Explanation(const ExactScene& scene, const Ray& ray, const std::vec
 std::optional<Explanation::Certain> Explanation::certain_hit(std::size_t contact) const {
   if (!verdicts_[contact].certain) return std::nullopt;
   Certain furthest{verdicts_[contact].highest_behind, verdicts_[contact].ends_behind};
-  if (contacts_[contact].kind != SurfaceKind::triangle) return furthest;
+  if (contacts_[contact].kind != kind_of<TriangleSurface>) return furthest;
   const auto determinant = [&](const Contact& of) { return of.margins[0] + of.margins[1] + of.margins[2]; };
   std::set<std::uint32_t> gathered{contacts_[contact].index};
   std::vector<std::size_t> pending{contact};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../real.h"
-#include "intersect/view_vector.h"
+#include "camera/view_vector.h"
 #include "scene/scene.h"
 
 namespace pyrasim::silhouettes {

@@ -98,7 +98,7 @@ class TextbookSpheres final : public Intersector {
     const auto d = to_scalar<Scalar>(view_vector);
     Scalar nearest = std::numeric_limits<Scalar>::infinity();
     Sample sample;
-    for (const auto& sphere : scene_.spheres) {
+    for (const auto& sphere : surfaces_of<SphereSurface>(scene_)) {
       const Scalar a = dot(d, d);
       const Scalar b = Scalar(2) * dot(d, sphere.center);
       const Scalar discriminant = b * b - Scalar(4) * a * (dot(sphere.center, sphere.center) - sphere.radius_squared);

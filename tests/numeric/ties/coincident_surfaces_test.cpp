@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Different surfaces in one place, as written: the first in the scene is seen wherever both are, in every number
 // format, from any angle, whichever comes first.
+#include "camera/observer_frame.h"
 #include "decimal_scene.h"
 #include "every_hit.h"
 #include "intersect/intersector.h"
-#include "intersect/observer_frame.h"
 #include "numeric/round_to_format.h"
 
 namespace pyrasim {
@@ -50,7 +50,7 @@ Mesh disc(const Lattice& lattice, int corners, double turn) {
 
 struct Pair {
   const char* name;
-  Surface first, second;
+  SceneSurface first, second;
 };
 
 std::vector<Pair> pairs(Random& random, const Camera& camera) {
@@ -75,7 +75,7 @@ std::vector<Pair> pairs(Random& random, const Camera& camera) {
 /// A scene of one surface.
 class Alone {
  public:
-  Alone(Scene scene, const Surface& surface, const NumberFormat& format) {
+  Alone(Scene scene, const SceneSurface& surface, const NumberFormat& format) {
     scene.objects = {object(surface)};
     intersector_ = make_intersector(scene, format);
   }

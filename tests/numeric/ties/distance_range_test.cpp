@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The range that is given for a hit holds the exact one, of the scene as it was written, in every number format; and is
 // not much wider than that takes.
+#include "camera/observer_frame.h"
 #include "every_hit.h"
 #include "exact_distance.h"
-#include "intersect/observer_frame.h"
 #include "numeric/round_to_format.h"
 
 namespace pyrasim {

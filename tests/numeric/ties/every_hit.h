@@ -5,9 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "intersect/distance_range.h"
 #include "numeric/number_format.h"
 #include "scene/scene.h"
+#include "surface/distance_range.h"
+#include "surface/list.h"
 
 namespace pyrasim {
 

@@ -61,7 +61,7 @@ WorldRay::WorldRay(const Camera& camera, const glm::dvec3& view_vector) : origin
   direction = forward * Real(view_vector.x) + up * Real(view_vector.y) + right * Real(view_vector.z);
 }
 
-std::optional<Real> exact_distance(const Surface& surface, const WorldRay& ray) {
+std::optional<Real> exact_distance(const SceneSurface& surface, const WorldRay& ray) {
   return std::visit([&](const auto& alternative) { return distance(alternative, ray); }, surface);
 }
 

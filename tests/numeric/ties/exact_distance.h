@@ -19,6 +19,6 @@ struct WorldRay {
 };
 
 /// The ray's parameter at the nearest hit ahead; none where the ray misses.
-std::optional<Real> exact_distance(const Surface& surface, const WorldRay& ray);
+std::optional<Real> exact_distance(const SceneSurface& surface, const WorldRay& ray);
 
 }  // namespace pyrasim

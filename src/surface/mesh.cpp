@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/mesh.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "error.h"
+#include "mesh/load_mesh.h"
+
+namespace pyrasim {
+
+Mesh Mesh::read(const JsonReader& reader, const SceneReading& reading) {
+  const JsonReader file = reader.member("file");
+  const std::string name = file.string();
+  if (name.empty() || name.find('\0') != std::string::npos) {
+    file.fail("the path is empty or holds a null character", "the path of an OBJ file is allowed");
+  }
+  try {
+    LoadedMesh loaded = load_mesh(reading.folder / name);
+    reading.files.push_back((reading.folder / name).string());
+    for (const std::string& warning : loaded.warnings) {
+      reading.warnings.push_back(fmt::format("{}: {}: {}", file.file(), file.pointer(), warning));
+    }
+    return {std::move(loaded.mesh)};
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}: {}", file.file(), file.pointer(), error.what()));
+  }
+}
+
+}  // namespace pyrasim

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/plane.h"
+
+#include <cmath>
+
+#include "surface/vectors.h"
+
+namespace pyrasim {
+namespace {
+
+/// The offset is worked out exactly from numbers that were read.
+BoundingPlane bounding_plane(const PlaneSurface<double>& plane, const RoundingUnits& rounding) {
+  const double written = 3 * rounding.written(0) * largest(plane.normal) + 0x1p-52 * std::abs(plane.offset);
+  return {plane.normal, plane.offset, written};
+}
+
+}  // namespace
+
+Plane Plane::read(const JsonReader& reader, const SceneReading&) {
+  return {read_direction(reader.member("normal")), reader.member("offset").number(coordinates)};
+}
+
+/// The offset from the observer's place cancels where that is near the plane and far from the world's origin; it is
+/// worked out exactly and rounded once. The normal keeps the length that it has, but for a power of two: at length 1
+/// its components would be rounded, by as much as the rest of t's computation errs.
+Prepared<PlaneSurface> Plane::prepared(const Preparation& preparation) const {
+  const Scaling scaling{-std::ilogb(largest(normal))};
+  Quadruple from_observer = offset;
+  for (int axis = 0; axis < 3; ++axis) {
+    from_observer -= static_cast<Quadruple>(normal[axis]) * preparation.frame.position()[axis];
+  }
+  auto shading = flat_shading(preparation.frame.direction(normalized(normal)), preparation.lighting);
+  shading.normal = preparation.frame.direction(scaling(normal, 1));
+  return {{shading.normal, scaling(static_cast<double>(from_observer), 1)}, shading};
+}
+
+double reach(const PlaneSurface<double>& plane) { return std::abs(plane.offset); }
+
+/// It has none.
+std::optional<BoundingBox> slope_bounds(const PlaneSurface<double>&, double) { return std::nullopt; }
+
+PlaneError relative_error(const PlaneSurface<double>& plane, const RoundingUnits& rounding) {
+  return plane_error(bounding_plane(plane, rounding), rounding);
+}
+
+DistanceRange distance_range(const PlaneSurface<double>& plane, const Vector<double>& direction, double t,
+                             const RoundingUnits& rounding) {
+  const DistanceRange range = plane_distance_range(bounding_plane(plane, rounding), direction, rounding);
+  return {std::min(t, range.lowest), std::max(t, range.highest)};
+}
+
+}  // namespace pyrasim

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Watertight ray-triangle test (Woop, Benthin, Wald, Journal of Computer Graphics Techniques 2013): neighbours compute
+// a shared edge from the same numbers, so a ray cannot slip between them. Edges and vertices belong to the triangle.
+//
+// An edge function is the difference of two rounded products, so its sign is right or it is 0, and 0 counts as inside:
+// a triangle that holds the ray is hit in every format, as long as it has an area left. One that does not can be hit
+// too where it is smaller than a rounding of its distance from the ray, and all its edge functions come out as 0 or of
+// one sign. The bounds of its vertices tell that exactly.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "surface/bounding_box.h"
+#include "surface/distance_range.h"
+#include "surface/flat_shading.h"
+#include "surface/preparation.h"
+#include "surface/reading.h"
+#include "surface/surface.h"
+#include "surface/view_ray.h"
+
+namespace pyrasim {
+
+/// What all triangles of one ray share: the axes permuted so that the direction's largest component comes last, and the
+/// shear that turns the direction into that axis.
+template <class Scalar>
+struct TriangleShear {
+  std::size_t kx, ky, kz;
+  Scalar sx, sy, sz;
+
+  explicit TriangleShear(const ViewRay<Scalar>& ray) : TriangleShear(ray.direction) {}
+  explicit TriangleShear(const Vector<Scalar>& direction) {
+    using std::abs;  // or that of the number format
+    const Scalar x = abs(direction.x);
+    const Scalar y = abs(direction.y);
+    const Scalar z = abs(direction.z);
+    kz = x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
+    kx = kz == 2 ? 0 : kz + 1;
+    ky = kx == 2 ? 0 : kx + 1;
+    const std::array<Scalar, 3> d{direction.x, direction.y, direction.z};
+    sz = Scalar(1) / d[kz];
+    sx = d[kx] * sz;
+    sy = d[ky] * sz;
+  }
+};
+
+template <class Scalar>
+struct TriangleSurface {
+  static constexpr SurfaceTraits traits{.name = "triangle", .default_cost = 3, .extent = Extent::bounded};
+  using Terms = TriangleShear<Scalar>;
+  using Shading = FlatShading<Scalar>;
+
+  std::array<std::array<Scalar, 3>, 3> vertices;
+  SurfaceIdentity identity{};
+
+  Scalar intersect(const TriangleShear<Scalar>& shear) const;
+  Scalar shade(const Shading& shading, const Lighting<Scalar>&, const Vector<Scalar>& direction, Scalar) const {
+    return shading.seen_along(direction);
+  }
+
+  template <class Other, class Number>
+  TriangleSurface<Other> mapped(const Number& number) const {
+    return {number(vertices, 1), identity};
+  }
+};
+
+double reach(const TriangleSurface<double>& triangle);
+double relative_error(const TriangleSurface<double>& triangle, const RoundingUnits& rounding);
+DistanceRange distance_range(const TriangleSurface<double>& triangle, const Vector<double>& direction, double t,
+                             const RoundingUnits& rounding);
+std::optional<BoundingBox> slope_bounds(const TriangleSurface<double>& triangle, double margin);
+
+/// Of the points `a`, `b` and `c` in observer's coordinates, which do not lie on one line.
+Prepared<TriangleSurface> prepared_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                                            const Lighting<double>& lighting);
+
+struct Triangle {
+  static constexpr std::string_view type = "triangle";
+  static constexpr std::array<std::string_view, 1> keys{"vertices"};
+
+  std::array<glm::dvec3, 3> vertices;
+
+  static Triangle read(const JsonReader& reader, const SceneReading& reading);
+  Prepared<TriangleSurface> prepared(const Preparation& preparation) const;
+};
+
+/// Whether the ray, which is at 0, passes a triangle whose vertices are at `a`, `b` and `c`.
+template <class Scalar>
+bool beside(Scalar a, Scalar b, Scalar c) {
+  return std::min(std::min(a, b), c) > Scalar(0) || std::max(std::max(a, b), c) < Scalar(0);
+}
+
+/// The t > 0 at which the view ray meets the triangle from either side, or 0 where there is none.
+template <class Scalar>
+Scalar TriangleSurface<Scalar>::intersect(const TriangleShear<Scalar>& shear) const {
+  const auto& [a, b, c] = vertices;
+  const Scalar ax = a[shear.kx] - shear.sx * a[shear.kz];
+  const Scalar ay = a[shear.ky] - shear.sy * a[shear.kz];
+  const Scalar bx = b[shear.kx] - shear.sx * b[shear.kz];
+  const Scalar by = b[shear.ky] - shear.sy * b[shear.kz];
+  const Scalar cx = c[shear.kx] - shear.sx * c[shear.kz];
+  const Scalar cy = c[shear.ky] - shear.sy * c[shear.kz];
+  if (beside(ax, bx, cx) || beside(ay, by, cy)) return Scalar(0);
+  const Scalar u = cx * by - cy * bx;  // the edge functions: twice the areas opposite a, b and c
+  const Scalar v = ax * cy - ay * cx;
+  const Scalar w = bx * ay - by * ax;
+  const bool negative = u < Scalar(0) || v < Scalar(0) || w < Scalar(0);
+  const bool positive = u > Scalar(0) || v > Scalar(0) || w > Scalar(0);
+  if (negative && positive) return Scalar(0);
+  const Scalar determinant = u + v + w;
+  if (determinant == Scalar(0)) return Scalar(0);
+  const Scalar depth = u * a[shear.kz] + v * b[shear.kz] + w * c[shear.kz];
+  const Scalar t = depth * shear.sz / determinant;
+  return t > Scalar(0) ? t : Scalar(0);
+}
+
+}  // namespace pyrasim
