@@ -2,18 +2,24 @@
 """The trace, read by a reader of its own, says the same as the statistics."""
 
 import re
+import subprocess
+from fractions import Fraction
 
 import tool
 from tool import MACHINES, SCENES
 
+UNITS = ("s", "ms", "us", "ns", "ps", "fs")
 STATES = ("idle", "busy", "starved", "blocked")
 
 
 class Vcd:
-    """A value change dump (IEEE 1364-2005, clause 18) of vectors. `signals`: name to the list of (time, value)."""
+    """A value change dump (IEEE 1364-2005, clause 18) of vectors. `signals`: name to the list of (cycle, value)."""
 
-    def __init__(self, text):
+    def __init__(self, text, clock_mhz):
         header, body = text.split("$enddefinitions $end\n")
+        number, unit = re.search(r"^\$timescale (1|10|100) ([munpf]?s) \$end$", header, re.M).groups()
+        self.unit = int(number) * Fraction(1, 10 ** (3 * UNITS.index(unit)))  # seconds
+        self.period = 1 / (Fraction(clock_mhz) * 10**6)  # seconds
         self.scopes = re.findall(r"^\$scope module (\w+) \$end$", header, re.M)
         self.widths, self.signals, names = {}, {}, {}
         for kind, width, code, name, high in re.findall(r"^\$var (\w+) (\d+) (\S+) (\w+) \[(\d+):0\] \$end$", header,
@@ -25,9 +31,9 @@ class Vcd:
         now, dumping = None, False
         for line in body.splitlines():
             if line.startswith("#"):
-                time = int(line[1:])
-                assert now is None and time == 0 or time > now, (now, line)
-                now = time
+                cycle = self.cycle(int(line[1:]))
+                assert now is None and cycle == 0 or cycle > now, (now, line)
+                now = cycle
             elif line in ("$dumpvars", "$end"):
                 assert now == 0
                 dumping = line == "$dumpvars"
@@ -38,6 +44,12 @@ class Vcd:
                 assert dumping == (not changes), line  # each has one initial value, first
                 changes.append((now, int(bits, 2)))
         self.end = now
+
+    def cycle(self, time):
+        """The one that begins at `time`, in units."""
+        cycle = round(time * self.unit / self.period)
+        assert abs(cycle * self.period - time * self.unit) <= self.unit / 2, time
+        return cycle
 
     def spans(self, name):
         """(value, cycles) one after the other, to the end of the trace."""
@@ -55,7 +67,7 @@ class Trace(tool.EndToEnd):
             texts.append(trace.read_text())
             document = tool.read_json(stats)
         self.assertEqual(*texts)
-        vcd = Vcd(texts[0])
+        vcd = Vcd(texts[0], document["machine"]["clock_mhz"])
         self.assertEqual(len(vcd.scopes), 1)
         self.assertEqual(vcd.end, document["machine"]["cycles"])
         self.assertEqual(list(vcd.signals), [part["name"] for part in document["units"] + document["fifos"]])
@@ -87,7 +99,7 @@ class Trace(tool.EndToEnd):
         self.assertIn("cycles", run.stderr)
         self.ok("simulate", SCENES / "keel.json", "--size", "16x12", "--trace", "out.vcd")
         self.assertEqual(run.stdout, (self.folder / "out.vcd").read_text())
-        self.assertGreater(Vcd(run.stdout).end, 0)
+        self.assertGreater(Vcd(run.stdout, 200).end, 0)
 
     def test_trace_changes_nothing(self):
         arguments = ["simulate", SCENES / "keel.json", "--size", "32x24"]
