@@ -78,9 +78,9 @@ void Processor::run_decoupled(int threads) {
 }
 
 void Processor::attach(EventSink& sink) {
-  if (!events_.has_sinks()) {
+  for (std::size_t k = 0; k < fifos_.size(); ++k) fifos_[k]->report_to({events_, k});
+  if (sink.in_order() && !events_.has_sinks_in_order()) {
     for (std::size_t k = 0; k < stages_.size(); ++k) stages_[k]->report_to({events_, k});
-    for (std::size_t k = 0; k < fifos_.size(); ++k) fifos_[k]->report_to({events_, k});
     events_.number_rays({stages_, wires_});
     if (!engine_) events_.follow_kernel();
   }

@@ -76,7 +76,7 @@ class Processor final : public sc_core::sc_module {
   /// In data-flow order, of what was built.
   const std::vector<Stage*>& stages() const { return stages_; }
   const std::vector<FifoBase*>& fifos() const { return fifos_; }
-  const std::vector<Wire>& wires() const { return wires_; }
+  const std::vector<Wire>& wires() const { return wires_; }  ///< of fifos(), one by one
   const Wire& wire_of(const FifoBase& fifo) const;
   /// Row and column on the screen of a pixel that is numbered inside the window.
   std::pair<int, int> place_of(std::uint32_t pixel) const;

@@ -35,10 +35,13 @@ struct Event {
   friend bool operator==(const Event&, const Event&) = default;
 };
 
-/// Takes a machine's events in their order. To be attached before the simulation starts, and to outlive it.
+/// Takes a machine's events. To be attached before the simulation starts, and to outlive it.
 class EventSink {
  public:
   virtual ~EventSink() = default;
+  /// Whether it takes everything in the order of Event. If not, it takes reads and writes alone, without their rays, as
+  /// soon as they are known: each FIFO's reads ascend and so do its writes, but nothing is held or sorted for it.
+  virtual bool in_order() const { return true; }
   virtual void take(const Event& event) = 0;
 };
 

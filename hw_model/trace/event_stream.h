@@ -17,12 +17,14 @@ namespace pyrasim::hw {
 /// ahead of each other, plus what comes between two watermarks.
 class EventStream {
  public:
-  void attach(EventSink& sink) { sinks_.push_back(&sink); }
-  bool has_sinks() const { return !sinks_.empty(); }
+  void attach(EventSink& sink) { (sink.in_order() ? sinks_ : early_sinks_).push_back(&sink); }
+  bool has_sinks_in_order() const { return !sinks_.empty(); }
   void number_rays(RayNumbers numbers) { numbers_ = std::move(numbers); }
 
   /// An event of a stage or FIFO whose earlier ones have been put in.
   void put(const Event& event) {
+    for (EventSink* sink : early_sinks_) sink->take(event);
+    if (sinks_.empty()) return;
     held_.push_back(event);
     if (follows_kernel_ && held_.size() == 1) next_cycle();
   }
@@ -42,8 +44,9 @@ class EventStream {
 
   void next_cycle();
 
-  std::vector<EventSink*> sinks_;
-  std::vector<Event> held_;  ///< in the order in which they came
+  std::vector<EventSink*> sinks_;        ///< that take events in order
+  std::vector<EventSink*> early_sinks_;  ///< the others
+  std::vector<Event> held_;              ///< in the order in which they came
   std::size_t due_at_ = least_due;
   std::size_t peak_ = 0;
   RayNumbers numbers_;

@@ -19,6 +19,7 @@ class Occupancies final : public EventSink {
   Occupancies(const Occupancies&) = delete;
   Occupancies& operator=(const Occupancies&) = delete;
 
+  bool in_order() const override { return false; }
   void take(const Event& event) override {
     if (event.kind == Event::Kind::write) fifos_[event.source].write(event.at);
     if (event.kind == Event::Kind::read) fifos_[event.source].read(event.at);

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <charconv>
+#include <string_view>
 
 #include "version.h"
 
@@ -21,7 +25,19 @@ std::string code(std::size_t signal) {
 }
 
 /// A stage's value, always in both of its bits, so that one can take the place of another.
-std::string bits_of(StageState state) { return fmt::format("{:02b}", static_cast<unsigned>(state)); }
+std::string_view bits_of(StageState state) {
+  constexpr std::array<std::string_view, 4> bits{"00", "01", "10", "11"};
+  return bits[static_cast<std::size_t>(state)];
+}
+
+/// A line of many: quicker than fmt.
+template <class Number>
+std::string_view line(std::array<char, 80>& buffer, char first, Number number, int base, std::string_view end) {
+  buffer[0] = first;
+  char* const behind = std::to_chars(buffer.data() + 1, buffer.data() + buffer.size(), number, base).ptr;
+  std::copy(end.begin(), end.end(), behind);
+  return {buffer.data(), static_cast<std::size_t>(behind - buffer.data()) + end.size()};
+}
 
 }  // namespace
 
@@ -30,7 +46,7 @@ VcdTrace::VcdTrace(Processor& processor, OutputFile& output)
   const std::size_t stages = processor.stages().size();
   signals_.resize(stages + processor.fifos().size());
   for (std::size_t k = 0; k < signals_.size(); ++k) {
-    signals_[k].code = code(k);
+    signals_[k].end = fmt::format(" {}\n", code(k));
     if (k >= stages) signals_[k].fill = processor.fifos()[k - stages]->size();
   }
   write_header();
@@ -45,16 +61,20 @@ void VcdTrace::write_header() {
                   version(), processor_.spec().clock_mhz, time_.unit(), processor_.basename()));
   const std::size_t stages = processor_.stages().size();
   for (std::size_t k = 0; k < stages; ++k) {
-    output_.write(fmt::format("$var reg 2 {} {} [1:0] $end\n", signals_[k].code, processor_.stages()[k]->basename()));
+    output_.write(fmt::format("$var reg 2 {} {} [1:0] $end\n", code(k), processor_.stages()[k]->basename()));
   }
   for (std::size_t k = stages; k < signals_.size(); ++k) {
     const FifoBase& fifo = *processor_.fifos()[k - stages];
     const int bits = static_cast<int>(std::bit_width(fifo.depth()));
-    output_.write(fmt::format("$var reg {} {} {} [{}:0] $end\n", bits, signals_[k].code, fifo.basename(), bits - 1));
+    output_.write(fmt::format("$var reg {} {} {} [{}:0] $end\n", bits, code(k), fifo.basename(), bits - 1));
   }
   output_.write("$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n");
   for (std::size_t k = 0; k < signals_.size(); ++k) {
-    write_value(signals_[k], k < stages ? bits_of(StageState::idle) : fmt::format("{:b}", signals_[k].fill));
+    if (k < stages) {
+      write_state(signals_[k], StageState::idle);
+    } else {
+      write_fill(signals_[k]);
+    }
   }
   output_.write("$end\n");
 }
@@ -107,24 +127,32 @@ void VcdTrace::write_changes(Cycle at) {
     if (fires == rests && fill == signal.fill) continue;
     if (written_ != at) write_date(at);
     if (fires) {
-      write_value(signal, bits_of(StageState::busy));
+      write_state(signal, StageState::busy);
     } else if (rests) {
       signal.gap = output_.size() + 1;
-      write_value(signal, bits_of(StageState::idle));
+      write_state(signal, StageState::idle);
     } else {
       signal.fill = fill;
-      write_value(signal, fmt::format("{:b}", fill));
+      write_fill(signal);
     }
   }
 }
 
 void VcdTrace::write_date(Cycle at) {
-  output_.write(fmt::format("#{}\n", time_.date(at)));
+  std::array<char, 80> buffer;
+  output_.write(line(buffer, '#', time_.date(at), 10, "\n"));
   written_ = at;
 }
 
-void VcdTrace::write_value(Signal& signal, const std::string& bits) {
-  output_.write(fmt::format("b{} {}\n", bits, signal.code));
+void VcdTrace::write_state(const Signal& signal, StageState state) {
+  output_.write("b");
+  output_.write(bits_of(state));
+  output_.write(signal.end);
+}
+
+void VcdTrace::write_fill(const Signal& signal) {
+  std::array<char, 80> buffer;
+  output_.write(line(buffer, 'b', signal.fill, 2, signal.end));
 }
 
 }  // namespace pyrasim::hw

@@ -40,7 +40,7 @@ class VcdTrace final : public EventSink {
     auto operator<=>(const Item&) const = default;
   };
   struct Signal {
-    std::string code;
+    std::string end;                   ///< of a line: its code
     std::size_t fill = 0;              ///< of a FIFO, as it was written last
     std::optional<std::uint64_t> gap;  ///< of a stage that rests: where in the file its value stands
   };
@@ -49,7 +49,8 @@ class VcdTrace final : public EventSink {
   void write_before(Cycle date);
   void write_changes(Cycle at);
   void write_date(Cycle at);
-  void write_value(Signal& signal, const std::string& bits);
+  void write_state(const Signal& signal, StageState state);
+  void write_fill(const Signal& signal);
 
   Processor& processor_;
   OutputFile& output_;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The trace, read by a reader of its own, says the same as the statistics."""
 
+import os
 import re
 import subprocess
 from fractions import Fraction
@@ -82,6 +83,7 @@ class Trace(tool.EndToEnd):
             self.assertEqual(max(value for value, length in spans if length > 0), fifo["max"], where)
             self.assertAlmostEqual(sum(value * length for value, length in spans) / vcd.end, fifo["mean"], 9, where)
             self.assertLess(fifo["depth"], 2 ** vcd.widths[fifo["name"]])
+        return document
 
     def test_trace_is_the_statistics(self):
         keel, spheres = SCENES / "keel.json", SCENES / "spheres.json"
@@ -92,6 +94,45 @@ class Trace(tool.EndToEnd):
         self.check(keel, "--size", "16x12", "--set", "fifos.all=1", "--set", "frame_buffer.interval=7")
         self.check(SCENES / "fins.json", "--size", "1x1")
         self.check(self.write("empty.json", tool.scene([])))
+
+    def test_time_is_the_clocks(self):
+        """The unit is as stated, exact where a cycle is a whole number of it, and never off by more than a half."""
+        for clock, unit, dates in ((200, "1 ns", 5), (1000, "1 ns", 1), (1, "1 us", 1), (400, "100 ps", 25),
+                                   (0.001, "1 ms", 1), (333, "1 fs", None), (0.3, "1 ps", None)):
+            document = self.check(SCENES / "keel.json", "--size", "16x12", "--set", f"clock_mhz={clock}")
+            text = (self.folder / "decoupled.vcd").read_text()
+            self.assertIn(f"\n$timescale {unit} $end\n", text)
+            if dates:
+                last = re.findall("^#([0-9]+)$", text, re.M)[-1]
+                self.assertEqual(int(last), document["machine"]["cycles"] * dates)
+
+    def test_pipes_and_descriptors(self):
+        """What cannot be written twice gets the same bytes."""
+        arguments = ["simulate", SCENES / "keel.json", "--size", "64x48"]
+        self.ok(*arguments, "--trace", "out.vcd")
+        expected = (self.folder / "out.vcd").read_text()
+        self.assertGreater(len(expected), 10 * 65536)
+        self.assertEqual(self.run_tool(*arguments, "--trace", "-").stdout, expected)
+        self.assertTrue(self.run_tool(*arguments, "--trace", "/dev/stdout").stdout.startswith(expected))
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["out.vcd"])
+
+    def test_nothing_of_a_frame_that_is_not_finished(self):
+        """Though most of the trace has been written by then; nor where the disk is full."""
+        for engine in ("decoupled", "lockstep"):
+            arguments = ["simulate", SCENES / "keel.json", "--size", "64x48", "--engine", engine]
+            cycles = self.stats(*arguments)["machine"]["cycles"]
+            before = sorted(self.folder.iterdir())
+            for name in ("out.vcd", "-", "/dev/stdout"):
+                run = self.run_tool(*arguments, "--max-cycles", cycles - 1, "--trace", name)
+                self.assertEqual((run.returncode, run.stdout), (tool.LIMIT, ""))
+            for name, says in (("out.vcd", "out.vcd"), ("-", str(self.folder))):
+                run = subprocess.run(["sh", "-c", 'trap "" XFSZ; ulimit -f 100; exec "$0" "$@"', tool.PYRASIM,
+                                      *map(str, arguments), "--trace", name], stdin=subprocess.DEVNULL, timeout=60,
+                                     capture_output=True, encoding="utf-8", cwd=self.folder, check=False,
+                                     env={**os.environ, "TMPDIR": str(self.folder)})
+                self.assertEqual((run.returncode, run.stdout), (tool.RUN_FAILED, ""))
+                self.assertEqual(run.stderr, f"pyrasim: {says}: cannot write: File too large\n")
+            self.assertEqual(sorted(self.folder.iterdir()), before)
 
     def test_stdout(self):
         run = self.run_tool("simulate", SCENES / "keel.json", "--size", "16x12", "--trace", "-")
