@@ -10,7 +10,7 @@
 #include "hw_model/fifo/fifo_end.h"
 #include "hw_model/fifo/fifo_statistics.h"
 #include "hw_model/fifo/wait_counter.h"
-#include "hw_model/trace/event_stream.h"
+#include "hw_model/trace/event_port.h"
 
 namespace pyrasim::hw {
 

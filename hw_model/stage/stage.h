@@ -10,7 +10,7 @@
 #include "hw_model/run_control.h"
 #include "hw_model/stage/stage_statistics.h"
 #include "hw_model/stage/start.h"
-#include "hw_model/trace/event_stream.h"
+#include "hw_model/trace/event_port.h"
 
 namespace pyrasim::hw {
 

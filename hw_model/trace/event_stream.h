@@ -23,7 +23,9 @@ class EventStream {
 
   /// An event of a stage or FIFO whose earlier ones have been put in.
   void put(const Event& event) {
-    for (EventSink* sink : early_sinks_) sink->take(event);
+    if (event.kind != Event::Kind::firing) {
+      for (EventSink* sink : early_sinks_) sink->take(event);
+    }
     if (sinks_.empty()) return;
     held_.push_back(event);
     if (follows_kernel_ && held_.size() == 1) next_cycle();
@@ -52,24 +54,6 @@ class EventStream {
   RayNumbers numbers_;
   bool follows_kernel_ = false;
   sc_core::sc_event cycle_over_;
-};
-
-/// Where a stage or FIFO reports to: the stream, and its own place in it. Nowhere, as long as nobody listens.
-class EventPort {
- public:
-  EventPort() = default;
-  EventPort(EventStream& stream, std::size_t source) : stream_(&stream), source_(static_cast<std::uint32_t>(source)) {}
-
-  explicit operator bool() const { return stream_ != nullptr; }
-  void read(Cycle at) const { stream_->put({.kind = Event::Kind::read, .source = source_, .at = at}); }
-  void write(Cycle at) const { stream_->put({.kind = Event::Kind::write, .source = source_, .at = at}); }
-  void firing(StageState waited, Cycle since, Cycle at, Cycle until) const {
-    stream_->put({Event::Kind::firing, waited, source_, at, since, until});
-  }
-
- private:
-  EventStream* stream_ = nullptr;
-  std::uint32_t source_ = 0;
 };
 
 }  // namespace pyrasim::hw

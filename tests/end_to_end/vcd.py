@@ -116,6 +116,22 @@ class Trace(tool.EndToEnd):
         self.assertTrue(self.run_tool(*arguments, "--trace", "/dev/stdout").stdout.startswith(expected))
         self.assertEqual([file.name for file in self.folder.iterdir()], ["out.vcd"])
 
+    def memory(self, *arguments):
+        """The most that a run takes, bytes."""
+        process = subprocess.Popen([tool.PYRASIM, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, cwd=self.folder)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, tool.OK)
+        return 1024 * usage.ru_maxrss
+
+    def test_memory_does_not_grow_with_the_frame(self):
+        """Ten times the rows are a hundred megabytes more of trace, and some of picture in memory."""
+        for name in ("out.vcd", "-"):
+            arguments = ["simulate", SCENES / "keel.json", "--trace", name, "--threads", "1", "--size"]
+            low, high = (self.memory(*arguments, f"320x{rows}") for rows in (200, 2000))
+            self.assertLess(high - low, 48e6)
+
     def test_nothing_of_a_frame_that_is_not_finished(self):
         """Though most of the trace has been written by then; nor where the disk is full."""
         for engine in ("decoupled", "lockstep"):

@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <map>
 #include <random>
+#include <utility>
 
 #include "../../test_scenes.h"
 #include "../event_list.h"
 #include "../random_machine.h"
 #include "../simulation.h"
+#include "hw_model/trace/event_port.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -123,7 +126,6 @@ TEST(EventStream, HoldsNoMoreForALongerFrame) {
     const std::size_t high = lists[k + 1].machine().events().peak();
     EXPECT_GT(lists[k + 1].all().size(), 4 * lists[k].all().size());
     EXPECT_LE(high, low * 5 / 4) << "of " << lists[k + 1].all().size();
-    std::cout << "PEAK " << low << " " << high << " of " << lists[k + 1].all().size() << "\n";
   }
 }
 
@@ -175,6 +177,37 @@ TEST(EventStream, EndsWithTheRun) {
     for (const Stage* stage : list.machine().stages()) {
       EXPECT_EQ(list.of(Event::Kind::firing, stage->basename()).back().until, stage->ready()) << stage->name();
     }
+  }
+}
+
+/// Those that do not need the order are told of the same reads and writes, each FIFO's in order, whoever else listens.
+TEST(EventStream, TellsSinksThatNeedNoOrderTheSame) {
+  struct Early final : EventSink {
+    std::vector<Event> events;
+    bool in_order() const override { return false; }
+    void take(const Event& event) override { events.push_back(event); }
+  } with_others, alone;
+  Simulation simulation;
+  const Scene scene = random_scene(3, {30, 30, 0}, 16, 60);
+  Processor& machine = simulation.add(scene, {}, {});
+  machine.attach(with_others);
+  const EventList list(machine);
+  simulation.add(scene, {}, {}).attach(alone);
+  simulation.run();
+  std::vector<Event> expected;
+  for (Event event : list.all()) {
+    event.ray = event.parent = no_number;
+    if (event.kind != Event::Kind::firing) expected.push_back(event);
+  }
+  for (std::vector<Event>* events : {&with_others.events, &alone.events}) {
+    std::map<std::pair<Event::Kind, std::uint32_t>, Cycle> last;
+    for (const Event& event : *events) {
+      const auto [at, first] = last.try_emplace({event.kind, event.source}, event.at);
+      EXPECT_TRUE(first || at->second < event.at);
+      at->second = event.at;
+    }
+    std::sort(events->begin(), events->end());
+    EXPECT_TRUE(*events == expected);
   }
 }
 
