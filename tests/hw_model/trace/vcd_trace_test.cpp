@@ -81,7 +81,10 @@ std::map<std::string, std::vector<unsigned long>> read_vcd(const std::string& te
     } else if (word[0] == 'b' && word.find_first_not_of("01", 1) == std::string::npos) {
       std::string code;
       words >> code;
-      now[names.at(code)] = std::stoul(word.substr(1), nullptr, 2);
+      const unsigned long value = std::stoul(word.substr(1), nullptr, 2);
+      const auto [signal, first] = now.try_emplace(names.at(code), value);
+      EXPECT_TRUE(first || signal->second != value) << names.at(code) << " does not change at " << at;
+      signal->second = value;
     }
   }
   EXPECT_EQ(at, cycles);
