@@ -19,19 +19,20 @@ DecoupledEngine::DecoupledEngine(std::vector<Stage*> stages, const std::vector<W
   }
 }
 
-void DecoupledEngine::run(const RunControl& control) {
+void DecoupledEngine::run(const RunControl& control, EventStream& events) {
   constexpr unsigned rounds_to_poll = 64;
   for (Stage* stage : stages_) stage->wake();
   bool at_rest = false;
   for (unsigned round = 1;; ++round) {
     if (round % rounds_to_poll == 0) control.poll();
     settle();
+    if (events.due()) events.release(watermark());
     const auto generator = boxes_.generator.plan();
     const Cycle controller = controller_date();
     const Cycle first = std::min(generator.start.at(), controller);
     if (first == never || first > control.last) {
       // Stages that wait until their FIFO is full have to be asked once more.
-      if (at_rest) return;
+      if (at_rest) break;
       for (Stage* stage : stages_) stage->wake();
       at_rest = true;
       continue;
@@ -45,6 +46,7 @@ void DecoupledEngine::run(const RunControl& control) {
       run_generator(first);
     }
   }
+  events.release(never);
 }
 
 /// Lets all stages fire that decide from data alone, as far as that can matter to the two that choose.
@@ -56,6 +58,17 @@ void DecoupledEngine::settle() {
   boxes_.accumulator.wake();  // the scan may wait for a slot
   work_.run();
   boxes_.scan.drain();
+}
+
+/// Nothing will happen before it any more. The first of all firings that are still to come has what it needs already,
+/// or another would have to come before it and bring that; so its stage knows its date. Those who wait until their FIFO
+/// is full fire first, so as not to hold up the others' events.
+Cycle DecoupledEngine::watermark() {
+  for (Stage* stage : stages_) stage->wake();
+  work_.run();
+  Cycle first = never;
+  for (const Stage* stage : stages_) first = std::min(first, stage->next_start().at());
+  return first;
 }
 
 /// The controller's next firing changes only with what it is told of, and with its own firings.

@@ -10,6 +10,7 @@
 #include "hw_model/stage/stage.h"
 #include "hw_model/stage/work_list.h"
 #include "hw_model/subdivision_controller.h"
+#include "hw_model/trace/event_stream.h"
 #include "hw_model/tree_accumulator.h"
 #include "hw_model/view_vector_generator.h"
 #include "hw_model/wire.h"
@@ -40,10 +41,12 @@ class DecoupledEngine {
   DecoupledEngine(std::vector<Stage*> stages, const std::vector<Wire>& wires, Boxes boxes, const MachineSpec& spec);
 
   /// Runs until no stage can fire, or the two that choose could only fire after control.last.
-  void run(const RunControl& control);
+  /// What has happened is handed on from `events` whenever that pays.
+  void run(const RunControl& control, EventStream& events);
 
  private:
   void settle();
+  Cycle watermark();
   void run_controller(Cycle first);
   void run_generator(Cycle first);
   Cycle lookahead(Cycle first) const;

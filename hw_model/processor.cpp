@@ -74,7 +74,17 @@ void Processor::run_decoupled(int threads) {
                     intersection_units_.size() * spec_.fifos.view_vector_generator_to_intersection_unit);
   }
   for (const auto& unit : intersection_units_) unit->take_corners(corners ? &*corners : nullptr);
-  engine_->run(control_);
+  engine_->run(control_, events_);
+}
+
+void Processor::attach(EventSink& sink) {
+  for (std::size_t k = 0; k < fifos_.size(); ++k) fifos_[k]->report_to({events_, k});
+  if (sink.in_order() && !events_.has_sinks_in_order()) {
+    for (std::size_t k = 0; k < stages_.size(); ++k) stages_[k]->report_to({events_, k});
+    events_.number_rays({stages_, wires_});
+    if (!engine_) events_.follow_kernel();
+  }
+  events_.attach(sink);
 }
 
 /// `progress`, heeded: the machine stops where it says so.

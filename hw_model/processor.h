@@ -15,6 +15,7 @@
 #include "hw_model/pyramid_classifier.h"
 #include "hw_model/run_control.h"
 #include "hw_model/subdivision_controller.h"
+#include "hw_model/trace/event_stream.h"
 #include "hw_model/tree_accumulator.h"
 #include "hw_model/view_vector_generator.h"
 #include "hw_model/wire.h"
@@ -53,6 +54,10 @@ class Processor final : public sc_core::sc_module {
   Processor(const sc_core::sc_module_name& name, const Scene& scene, const MachineSpec& spec,
             const SimulationOptions& options);
 
+  /// `sink` takes the machine's events; before the simulation starts. It has to outlive it.
+  void attach(EventSink& sink);
+  const EventStream& events() const { return events_; }
+
   /// Whether every pixel has been stored. If not once the simulation is over, the machine is deadlocked, or was stopped
   /// at max_cycles() or by its progress. See report/deadlock.h.
   bool complete() const { return frame_buffer_.complete(); }
@@ -71,7 +76,7 @@ class Processor final : public sc_core::sc_module {
   /// In data-flow order, of what was built.
   const std::vector<Stage*>& stages() const { return stages_; }
   const std::vector<FifoBase*>& fifos() const { return fifos_; }
-  const std::vector<Wire>& wires() const { return wires_; }
+  const std::vector<Wire>& wires() const { return wires_; }  ///< of fifos(), one by one
   const Wire& wire_of(const FifoBase& fifo) const;
   /// Row and column on the screen of a pixel that is numbered inside the window.
   std::pair<int, int> place_of(std::uint32_t pixel) const;
@@ -109,7 +114,8 @@ class Processor final : public sc_core::sc_module {
   std::vector<FifoBase*> fifos_;
   std::vector<Wire> wires_;
   std::vector<OmittedUnit> omitted_;
-  std::unique_ptr<DecoupledEngine> engine_;
+  std::unique_ptr<DecoupledEngine> engine_;  ///< none in lockstep
+  EventStream events_;
 };
 
 }  // namespace pyrasim::hw

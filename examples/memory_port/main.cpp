@@ -2,6 +2,7 @@
 // How fast has the memory behind the frame buffer to be? A stage and two sinks of one's own beside a machine that knows
 // nothing of them. The frame buffer does not wait for the memory; the example shows how much would have to.
 // Usage: memory_port SCENE.json CYCLES_A_PIXEL [decoupled|lockstep]
+#include <algorithm>
 #include <charconv>
 #include <iostream>
 #include <string_view>
@@ -27,20 +28,19 @@ void simulate(const char* scene_file, hw::Cycle interval, hw::Engine engine) {
   // Wires and stages of one's own: every stage outside the processor runs in lockstep, whatever the processor does.
   hw::Fifo<StoredPixel> queue("queue", processor.image().pixels().size());
   MemoryPort port("memory_port", interval);
-  StoredPixels stored(queue);
   port.pixels(queue);
   queue.connect(port, port);  // whom to wake; nobody waits for room
   const hw::RunControl control{hw::longest_frame, [] {}};
   port.run_in_lockstep(control);
 
-  hw::Stage& frame_buffer = *processor.stages().back();
-  hw::FifoBase* to_frame_buffer = nullptr;
-  for (const hw::Wire& wire : processor.wires()) {
-    if (wire.reader == &frame_buffer) to_frame_buffer = wire.fifo;
-  }
-  to_frame_buffer->observe(stored);
-  LongestWait wait;
-  frame_buffer.observe(&wait);
+  const std::size_t last_stage = processor.stages().size() - 1;
+  const hw::Stage& frame_buffer = *processor.stages()[last_stage];
+  const auto to_frame_buffer = std::find_if(processor.wires().begin(), processor.wires().end(),
+                                            [&](const hw::Wire& wire) { return wire.reader == &frame_buffer; });
+  StoredPixels stored(static_cast<std::size_t>(to_frame_buffer - processor.wires().begin()), queue);
+  LongestWait wait(last_stage);
+  processor.attach(stored);
+  processor.attach(wait);
 
   sc_core::sc_start();
   hw::require_finished(processor);

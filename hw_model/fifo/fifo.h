@@ -58,7 +58,7 @@ class Fifo final : public FifoBase {
   /// Frees the cell of the next token, which has been looked at with front().
   void pop(Cycle now) {
     assert(!empty());
-    if (observed()) tell_of_read(now);
+    if (events()) events().read(now);
     leave(place_, tally_, now);
     note_reads(1);
   }
@@ -122,15 +122,15 @@ class Fifo final : public FifoBase {
   template <class Make>
   void put(const Make& make, Cycle now, Cycle visible) {
     fill(write_, make, now, visible);
-    if (observed()) tell_of_write(now);
+    if (events()) events().write(now);
     note_writes(1);
   }
 
-  [[gnu::noinline]] void tell_of_writes(std::size_t tokens) const {
-    for (const Cell* cell = write_; tokens > 0; --tokens, cell = following(cell)) tell_of_write(cell->written);
+  [[gnu::noinline]] void report_writes(std::size_t tokens) const {
+    for (const Cell* cell = write_; tokens > 0; --tokens, cell = following(cell)) events().write(cell->written);
   }
-  [[gnu::noinline]] void tell_of_reads(std::size_t tokens) const {
-    for (const Cell* cell = place_.next; tokens > 0; --tokens, cell = following(cell)) tell_of_read(cell->freed - 1);
+  [[gnu::noinline]] void report_reads(std::size_t tokens) const {
+    for (const Cell* cell = place_.next; tokens > 0; --tokens, cell = following(cell)) events().read(cell->freed - 1);
   }
 
   template <class Pointer>

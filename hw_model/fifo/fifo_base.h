@@ -5,13 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <systemc>
-#include <vector>
 
 #include "hw_model/cycle.h"
 #include "hw_model/fifo/fifo_end.h"
-#include "hw_model/fifo/fifo_observer.h"
 #include "hw_model/fifo/fifo_statistics.h"
 #include "hw_model/fifo/wait_counter.h"
+#include "hw_model/trace/event_port.h"
 
 namespace pyrasim::hw {
 
@@ -40,20 +39,13 @@ class FifoBase : public sc_core::sc_prim_channel, public sc_core::sc_interface {
   }
   /// The reader is told of a token only when it fills the FIFO. For a reader that can wait: it then reads many at once.
   void wake_reader_when_full() { wake_reader_at_ = depth_; }
-  /// Several observers may look on.
-  void observe(FifoObserver& observer) { observers_.push_back(&observer); }
-  void ignore(FifoObserver& observer) { std::erase(observers_, &observer); }
+  /// Every write and read from now on is an event.
+  void report_to(const EventPort& events) { events_ = events; }
 
   const char* kind() const override { return "pyrasim::hw::Fifo"; }
 
  protected:
-  bool observed() const { return !observers_.empty(); }
-  void tell_of_write(Cycle at) const {
-    for (FifoObserver* observer : observers_) observer->written(at);
-  }
-  void tell_of_read(Cycle at) const {
-    for (FifoObserver* observer : observers_) observer->read(at);
-  }
+  const EventPort& events() const { return events_; }
 
   /// Takes note that so many tokens have been written.
   void note_writes(std::size_t tokens) {
@@ -85,7 +77,7 @@ class FifoBase : public sc_core::sc_prim_channel, public sc_core::sc_interface {
   WaitCounter blocked_{*this, false};
   FifoEnd* writer_ = nullptr;
   FifoEnd* reader_ = nullptr;
-  std::vector<FifoObserver*> observers_;
+  EventPort events_;
 };
 
 }  // namespace pyrasim::hw

@@ -20,7 +20,7 @@ class FifoReader {
   ~FifoReader() {
     const std::size_t read = fifo_.size() - unread_;
     if (read == 0) return;
-    if (fifo_.observed()) fifo_.tell_of_reads(read);
+    if (fifo_.events()) fifo_.report_reads(read);
     fifo_.place_ = place_;
     fifo_.tally_ = tally_;
     fifo_.note_reads(read);

@@ -18,7 +18,7 @@ class FifoWriter {
   ~FifoWriter() {
     const std::size_t written = fifo_.depth() - free_ - fifo_.size();
     if (written == 0) return;
-    if (fifo_.observed()) fifo_.tell_of_writes(written);
+    if (fifo_.events()) fifo_.report_writes(written);
     fifo_.write_ = write_;
     fifo_.note_writes(written);
   }

@@ -20,17 +20,14 @@ void Stage::woken() {
 
 void Stage::book(const Start& start, Cycle cycles) {
   assert(cycles >= 1);
-  StageObserver::State waited = StageObserver::State::idle;
+  StageState waited = StageState::idle;
   if (firings_ == 0) {  // before the first firing the frame has not begun here
     idle_ = start.at();
   } else if (start.at() > ready_) {
     book_wait(ready_, start);
-    waited = start.cause()->starved ? StageObserver::State::starved : StageObserver::State::blocked;
+    waited = start.cause()->starved ? StageState::starved : StageState::blocked;
   }
-  if (observer_ != nullptr) {
-    if (start.at() > ready_) observer_->span(waited, ready_, start.at());
-    observer_->span(StageObserver::State::busy, start.at(), start.at() + cycles);
-  }
+  if (events_) events_.firing(waited, ready_, start.at(), start.at() + cycles);
   book(1, start.at() + cycles);
 }
 

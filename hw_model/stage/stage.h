@@ -8,9 +8,9 @@
 #include "hw_model/cycle.h"
 #include "hw_model/fifo/fifo_end.h"
 #include "hw_model/run_control.h"
-#include "hw_model/stage/stage_observer.h"
 #include "hw_model/stage/stage_statistics.h"
 #include "hw_model/stage/start.h"
+#include "hw_model/trace/event_port.h"
 
 namespace pyrasim::hw {
 
@@ -40,7 +40,8 @@ class Stage : public sc_core::sc_module, public FifoEnd {
 
   /// The stage runs on the decoupled engine, which keeps `work`.
   void attach(WorkList& work);
-  void observe(StageObserver* observer) { observer_ = observer; }
+  /// Every firing from now on is an event.
+  void report_to(const EventPort& events) { events_ = events; }
   /// Registers the process that runs this stage on the SystemC kernel, whose time counts cycles; before the simulation
   /// starts. `control` has to outlive the stage.
   void run_in_lockstep(const RunControl& control);
@@ -49,7 +50,7 @@ class Stage : public sc_core::sc_module, public FifoEnd {
   explicit Stage(const sc_core::sc_module_name& name) : sc_module(name) {}
 
   /// Whether a firing has to be booked on its own: the first one, and all where somebody looks on.
-  bool books_singly() const { return firings_ == 0 || observer_ != nullptr; }
+  bool books_singly() const { return firings_ == 0 || events_; }
   /// Books the firing at `start` that keeps the stage busy for `cycles` >= 1.
   void book(const Start& start, Cycle cycles);
   /// Books `firings` further ones up to `ready`, whose waits have been booked.
@@ -74,7 +75,7 @@ class Stage : public sc_core::sc_module, public FifoEnd {
   Cycle idle_ = 0;  ///< before the first firing
   Cycle starved_ = 0;
   Cycle blocked_ = 0;
-  StageObserver* observer_ = nullptr;
+  EventPort events_;
   bool decoupled_ = false;
   sc_core::sc_event woken_;
 };

@@ -3,12 +3,6 @@
 
 namespace pyrasim::hw {
 
-Occupancy::Occupancy(FifoBase& fifo) : fifo_(fifo), present_(static_cast<std::int64_t>(fifo.size())) {
-  fifo_.observe(*this);
-}
-
-Occupancy::~Occupancy() { fifo_.ignore(*this); }
-
 /// What changes at `at` shows at the first point not earlier.
 std::int64_t& Occupancy::change_from(Cycle at) {
   const auto point = [&] { return static_cast<std::size_t>((at + stride() - 1) >> shift_); };

@@ -4,80 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <iterator>
+#include <charconv>
+#include <string_view>
 
 #include "version.h"
 
 namespace pyrasim::hw {
-
-/// A new value of a signal.
-struct VcdTrace::Change {
-  Cycle at;
-  std::uint32_t signal;
-  std::uint32_t value;
-};
-
-class VcdTrace::StageSignal final : public StageObserver {
- public:
-  void span(State state, Cycle from, Cycle to) override {
-    if (changes_.empty() || changes_.back().second != state) changes_.emplace_back(from, state);
-    end_ = to;
-  }
-  void append(std::uint32_t signal, std::vector<Change>& all) const {
-    for (const auto& [at, state] : changes_) all.push_back({at, signal, static_cast<std::uint32_t>(state)});
-    all.push_back({end_, signal, static_cast<std::uint32_t>(State::idle)});
-  }
-
- private:
-  std::vector<std::pair<Cycle, State>> changes_;
-  Cycle end_ = 0;
-};
-
-class VcdTrace::FifoSignal final : public FifoObserver {
- public:
-  explicit FifoSignal(std::size_t present) : present_(static_cast<std::uint32_t>(present)) {}
-  void written(Cycle at) override { writes_.push_back(at); }
-  void read(Cycle at) override { reads_.push_back(at); }
-  std::uint32_t present() const { return present_; }
-
-  void append(std::uint32_t signal, std::vector<Change>& all) const {
-    std::uint32_t fill = present_;
-    std::size_t w = 0;
-    std::size_t r = 0;
-    while (w < writes_.size() || r < reads_.size()) {
-      const Cycle write = w < writes_.size() ? writes_[w] : never;
-      const Cycle leave = r < reads_.size() ? reads_[r] + 1 : never;
-      const Cycle at = std::min(write, leave);
-      const std::uint32_t before = fill;
-      for (; w < writes_.size() && writes_[w] == at; ++w) ++fill;
-      for (; r < reads_.size() && reads_[r] + 1 == at; ++r) --fill;
-      if (fill != before) all.push_back({at, signal, fill});
-    }
-  }
-
- private:
-  std::uint32_t present_;  ///< tokens preloaded
-  std::vector<Cycle> writes_;
-  std::vector<Cycle> reads_;
-};
-
-VcdTrace::VcdTrace(Processor& processor) : processor_(processor) {
-  for (Stage* stage : processor.stages()) {
-    stages_.push_back(std::make_unique<StageSignal>());
-    stage->observe(stages_.back().get());
-  }
-  for (FifoBase* fifo : processor.fifos()) {
-    fifos_.push_back(std::make_unique<FifoSignal>(fifo->size()));
-    fifo->observe(*fifos_.back());
-  }
-}
-
-VcdTrace::~VcdTrace() {
-  for (Stage* stage : processor_.stages()) stage->observe(nullptr);
-  for (std::size_t k = 0; k < fifos_.size(); ++k) processor_.fifos()[k]->ignore(*fifos_[k]);
-}
-
 namespace {
 
 /// An identifier code of VCD: printable characters, shortest first.
@@ -90,48 +24,135 @@ std::string code(std::size_t signal) {
   return text;
 }
 
-int width(std::size_t largest) { return static_cast<int>(std::bit_width(largest)); }
+/// A stage's value, always in both of its bits, so that one can take the place of another.
+std::string_view bits_of(StageState state) {
+  constexpr std::array<std::string_view, 4> bits{"00", "01", "10", "11"};
+  return bits[static_cast<std::size_t>(state)];
+}
+
+/// A line of many: quicker than fmt.
+template <class Number>
+std::string_view line(std::array<char, 80>& buffer, char first, Number number, int base, std::string_view end) {
+  buffer[0] = first;
+  char* const behind = std::to_chars(buffer.data() + 1, buffer.data() + buffer.size(), number, base).ptr;
+  std::copy(end.begin(), end.end(), behind);
+  return {buffer.data(), static_cast<std::size_t>(behind - buffer.data()) + end.size()};
+}
 
 }  // namespace
 
-std::string VcdTrace::header() const {
-  std::string text = fmt::format(
-      "$version pyrasim {} $end\n$comment one time step is one cycle at {} MHz; units: 0 idle, "
-      "1 busy, 2 starved, 3 blocked $end\n$timescale 1 ns $end\n$scope module {} $end\n",
-      version(), processor_.spec().clock_mhz, processor_.basename());
-  std::size_t signal = 0;
-  for (const Stage* stage : processor_.stages()) {
-    text += fmt::format("$var reg 2 {} {} [1:0] $end\n", code(signal++), stage->basename());
+VcdTrace::VcdTrace(Processor& processor, OutputFile& output)
+    : processor_(processor), output_(output), time_(processor.spec().clock_mhz) {
+  const std::size_t stages = processor.stages().size();
+  signals_.resize(stages + processor.fifos().size());
+  for (std::size_t k = 0; k < signals_.size(); ++k) {
+    signals_[k].end = fmt::format(" {}\n", code(k));
+    if (k >= stages) signals_[k].fill = processor.fifos()[k - stages]->size();
   }
-  for (const FifoBase* fifo : processor_.fifos()) {
-    const int bits = width(fifo->statistics().depth);
-    text += fmt::format("$var reg {} {} {} [{}:0] $end\n", bits, code(signal++), fifo->basename(), bits - 1);
-  }
-  text += "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n";
-  for (std::size_t k = 0; k < stages_.size(); ++k) text += fmt::format("b0 {}\n", code(k));
-  for (std::size_t k = 0; k < fifos_.size(); ++k) {
-    text += fmt::format("b{:b} {}\n", fifos_[k]->present(), code(stages_.size() + k));
-  }
-  return text + "$end\n";
+  write_header();
+  processor.attach(*this);
 }
 
-std::string VcdTrace::text() const {
-  std::vector<Change> changes;
-  std::uint32_t signal = 0;
-  for (const auto& stage : stages_) stage->append(signal++, changes);
-  for (const auto& fifo : fifos_) fifo->append(signal++, changes);
-  std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.at < b.at; });
-  std::string text = header();
-  Cycle now = 0;
-  for (const Change& change : changes) {
-    if (change.at != now) {
-      now = change.at;
-      fmt::format_to(std::back_inserter(text), "#{}\n", now);
-    }
-    fmt::format_to(std::back_inserter(text), "b{:b} {}\n", change.value, code(change.signal));
+void VcdTrace::write_header() {
+  output_.write(
+      fmt::format("$version pyrasim {} $end\n$comment one cycle is one period of {} MHz; units: 0 idle, 1 busy, 2 "
+                  "starved, 3 blocked "
+                  "$end\n$timescale {} $end\n$scope module {} $end\n",
+                  version(), processor_.spec().clock_mhz, time_.unit(), processor_.basename()));
+  const std::size_t stages = processor_.stages().size();
+  for (std::size_t k = 0; k < stages; ++k) {
+    output_.write(fmt::format("$var reg 2 {} {} [1:0] $end\n", code(k), processor_.stages()[k]->basename()));
   }
-  if (now != processor_.cycles()) fmt::format_to(std::back_inserter(text), "#{}\n", processor_.cycles());
-  return text;
+  for (std::size_t k = stages; k < signals_.size(); ++k) {
+    const FifoBase& fifo = *processor_.fifos()[k - stages];
+    const int bits = static_cast<int>(std::bit_width(fifo.depth()));
+    output_.write(fmt::format("$var reg {} {} {} [{}:0] $end\n", bits, code(k), fifo.basename(), bits - 1));
+  }
+  output_.write("$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n");
+  for (std::size_t k = 0; k < signals_.size(); ++k) {
+    if (k < stages) {
+      write_state(signals_[k], StageState::idle);
+    } else {
+      write_fill(signals_[k]);
+    }
+  }
+  output_.write("$end\n");
+}
+
+void VcdTrace::take(const Event& event) {
+  write_before(event.at);
+  const std::size_t fifo = processor_.stages().size() + event.source;
+  switch (event.kind) {
+    case Event::Kind::read:
+      agenda_.push({event.at + 1, fifo, Change::loses});
+      break;
+    case Event::Kind::write:
+      agenda_.push({event.at, fifo, Change::gains});
+      break;
+    case Event::Kind::firing:
+      if (auto& gap = signals_[event.source].gap) {
+        output_.overwrite(*gap, bits_of(event.waited));
+        gap.reset();
+      }
+      agenda_.push({event.at, event.source, Change::fires});
+      agenda_.push({event.until, event.source, Change::rests});
+      break;
+  }
+}
+
+void VcdTrace::finish() {
+  write_before(never);
+  if (written_ != processor_.cycles()) write_date(processor_.cycles());
+}
+
+void VcdTrace::write_before(Cycle date) {
+  while (!agenda_.empty() && agenda_.top().at < date) write_changes(agenda_.top().at);
+}
+
+/// A stage that fires in the cycle in which it comes to rest stays busy, a FIFO that gains and loses keeps its fill.
+void VcdTrace::write_changes(Cycle at) {
+  while (!agenda_.empty() && agenda_.top().at == at) {
+    const std::size_t number = agenda_.top().signal;
+    Signal& signal = signals_[number];
+    bool fires = false;
+    bool rests = false;
+    std::size_t fill = signal.fill;
+    for (; !agenda_.empty() && agenda_.top().at == at && agenda_.top().signal == number; agenda_.pop()) {
+      const Change change = agenda_.top().change;
+      fires |= change == Change::fires;
+      rests |= change == Change::rests;
+      if (change == Change::gains) ++fill;
+      if (change == Change::loses) --fill;
+    }
+    if (fires == rests && fill == signal.fill) continue;
+    if (written_ != at) write_date(at);
+    if (fires) {
+      write_state(signal, StageState::busy);
+    } else if (rests) {
+      signal.gap = output_.size() + 1;
+      write_state(signal, StageState::idle);
+    } else {
+      signal.fill = fill;
+      write_fill(signal);
+    }
+  }
+}
+
+void VcdTrace::write_date(Cycle at) {
+  std::array<char, 80> buffer;
+  output_.write(line(buffer, '#', time_.date(at), 10, "\n"));
+  written_ = at;
+}
+
+void VcdTrace::write_state(const Signal& signal, StageState state) {
+  output_.write("b");
+  output_.write(bits_of(state));
+  output_.write(signal.end);
+}
+
+void VcdTrace::write_fill(const Signal& signal) {
+  std::array<char, 80> buffer;
+  output_.write(line(buffer, 'b', signal.fill, 2, signal.end));
 }
 
 }  // namespace pyrasim::hw

@@ -1,39 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <functional>
+#include <optional>
+#include <queue>
 #include <string>
 #include <vector>
 
+#include "files/output_file.h"
 #include "hw_model/processor.h"
+#include "hw_model/trace/vcd_time.h"
 
 namespace pyrasim::hw {
 
-/// Records the state of every stage and the fill of every FIFO of a processor, for a VCD file (IEEE 1364-2005, clause
-/// 18). Attach before the simulation starts. Without one, the processor does no work for it.
+/// Writes the state of every stage and the fill of every FIFO of a processor as a VCD file (IEEE 1364-2005, clause 18),
+/// while the frame runs and in bounded memory.
 ///
 /// A stage's signal has two bits: 0 idle, 1 busy, 2 starved, 3 blocked. A FIFO's is the number of tokens, where a token
-/// counts from the cycle of its write to that of its read. One time step is one cycle.
-class VcdTrace {
+/// counts from the cycle of its write to that of its read. Time is the clock's: see VcdTime. What a stage waits for is
+/// known only when it fires again, perhaps much later: its signal's value is then written where the wait began.
+class VcdTrace final : public EventSink {
  public:
-  explicit VcdTrace(Processor& processor);
-  ~VcdTrace();
+  /// Of `processor`, whose simulation has not started, to `output`, which has to be revisable; both outlive it.
+  VcdTrace(Processor& processor, OutputFile& output);
   VcdTrace(const VcdTrace&) = delete;
   VcdTrace& operator=(const VcdTrace&) = delete;
 
-  /// The whole file, of a frame that is over.
-  std::string text() const;
+  void take(const Event& event) override;
+  /// Writes the rest, of a frame that is over. The output is not committed.
+  void finish();
 
  private:
-  class StageSignal;
-  class FifoSignal;
-  struct Change;
+  enum class Change : std::uint8_t { fires, rests, gains, loses };
+  /// What may change a signal at a date, in the order of the file.
+  struct Item {
+    Cycle at;
+    std::size_t signal;
+    Change change;
+    auto operator<=>(const Item&) const = default;
+  };
+  struct Signal {
+    std::string end;                   ///< of a line: its code
+    std::size_t fill = 0;              ///< of a FIFO, as it was written last
+    std::optional<std::uint64_t> gap;  ///< of a stage that rests: where in the file its value stands
+  };
 
-  std::string header() const;
+  void write_header();
+  void write_before(Cycle date);
+  void write_changes(Cycle at);
+  void write_date(Cycle at);
+  void write_state(const Signal& signal, StageState state);
+  void write_fill(const Signal& signal);
 
   Processor& processor_;
-  std::vector<std::unique_ptr<StageSignal>> stages_;
-  std::vector<std::unique_ptr<FifoSignal>> fifos_;
+  OutputFile& output_;
+  VcdTime time_;
+  std::vector<Signal> signals_;  ///< of the stages, then of the FIFOs
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> agenda_;
+  Cycle written_ = 0;  ///< date
 };
 
 }  // namespace pyrasim::hw

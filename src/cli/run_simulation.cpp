@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <new>
+#include <string>
 #include <string_view>
 #include <systemc>
 
@@ -43,6 +44,7 @@ void run_simulation() {
     const std::string_view kind = report.get_msg_type();
     const std::string_view message = report.get_msg();
     if (message == std::bad_alloc().what() || kind == sc_core::SC_ID_STACK_SETUP_FAILED_) throw std::bad_alloc();
+    if (kind == sc_core::SC_ID_SIMULATION_UNCAUGHT_EXCEPTION_) throw RunError(std::string(message));
     throw RunError(fmt::format("the simulation: {}: {}", kind, message));
   }
 }

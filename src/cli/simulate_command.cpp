@@ -9,10 +9,11 @@
 #include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
+#include "cli/revisable_output.h"
 #include "cli/run_simulation.h"
 #include "cli/statistics_document.h"
 #include "hw_model/report/deadlock.h"
-#include "hw_model/trace/occupancy.h"
+#include "hw_model/trace/occupancies.h"
 #include "hw_model/trace/vcd_trace.h"
 
 namespace pyrasim::cli {
@@ -48,26 +49,29 @@ struct SimulateCommand {
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
-    std::optional<TextOutput> vcd;
+    std::optional<RevisableOutput> vcd;
     if (!trace.empty()) vcd.emplace(trace);
 
     hw::Processor processor("processor", scene, spec, options);
-    std::optional<hw::VcdTrace> recorder;
-    if (vcd) recorder.emplace(processor);
-    std::vector<std::unique_ptr<hw::Occupancy>> occupancies;
-    if (statistics) {
-      for (hw::FifoBase* fifo : processor.fifos()) occupancies.push_back(std::make_unique<hw::Occupancy>(*fifo));
-    }
+    std::optional<hw::VcdTrace> vcd_trace;
+    if (vcd) vcd_trace.emplace(processor, vcd->file());
+    std::optional<hw::Occupancies> occupancies;
+    if (statistics) occupancies.emplace(processor);
     run_interruptibly(run_simulation, [&] {
       return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
                          processor.frame_buffer().stored(), processor.image().pixels().size());
     });
     hw::require_finished(processor);
-    for (const auto& occupancy : occupancies) occupancy->end_frame(processor.cycles());
     picture.write(processor.image());
-    if (vcd) vcd->write(recorder->text());
-    if (statistics)
-      statistics->write(text_of(simulation_document(frame.scene, scene.camera, options, processor, occupancies)));
+    if (vcd) {
+      vcd_trace->finish();
+      vcd->commit();
+    }
+    if (statistics) {
+      occupancies->end_frame(processor.cycles());
+      statistics->write(
+          text_of(simulation_document(frame.scene, scene.camera, options, processor, occupancies->fifos())));
+    }
     plan.table() << simulation_table(frame.scene, scene.camera, options.max_level, processor);
   }
 };

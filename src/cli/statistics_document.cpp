@@ -159,22 +159,21 @@ ordered_json latencies_document(const hw::Processor& processor, int max_level) {
   return {{"all", latency_document(all)}, {"by_level", by_level}, {"slowest", slowest}};
 }
 
-ordered_json fifos_document(const hw::Processor& processor,
-                            const std::vector<std::unique_ptr<hw::Occupancy>>& occupancies) {
+ordered_json fifos_document(const hw::Processor& processor, const std::vector<hw::Occupancy>& occupancies) {
   ordered_json fifos = ordered_json::array();
   for (std::size_t k = 0; k < processor.fifos().size(); ++k) {
     const hw::FifoBase* fifo = processor.fifos()[k];
     const hw::FifoStatistics statistics = fifo->statistics(processor.cycles());
     const double mean = static_cast<double>(statistics.token_cycles) / static_cast<double>(processor.cycles());
-    fifos.push_back({{"name", fifo->basename()},
-                     {"depth", statistics.depth},
-                     {"max", statistics.max},
-                     {"mean", mean},
-                     {"tokens", statistics.tokens},
-                     {"reader_starved", statistics.starved},
-                     {"writer_blocked", statistics.blocked},
-                     {"occupancy",
-                      {{"stride", occupancies[k]->stride()}, {"tokens", occupancies[k]->points(processor.cycles())}}}});
+    fifos.push_back(
+        {{"name", fifo->basename()},
+         {"depth", statistics.depth},
+         {"max", statistics.max},
+         {"mean", mean},
+         {"tokens", statistics.tokens},
+         {"reader_starved", statistics.starved},
+         {"writer_blocked", statistics.blocked},
+         {"occupancy", {{"stride", occupancies[k].stride()}, {"tokens", occupancies[k].points(processor.cycles())}}}});
   }
   return fifos;
 }
@@ -204,8 +203,7 @@ ordered_json render_document(const std::string& scene, const Camera& camera, con
 }
 
 ordered_json simulation_document(const std::string& scene, const Camera& camera, const hw::SimulationOptions& options,
-                                 const hw::Processor& processor,
-                                 const std::vector<std::unique_ptr<hw::Occupancy>>& occupancies) {
+                                 const hw::Processor& processor, const std::vector<hw::Occupancy>& occupancies) {
   ordered_json document = head(scene, camera, "pyramid", options.max_level, options.formats, options.edge);
   document["engine"] = options.engine == hw::Engine::decoupled ? "decoupled" : "lockstep";
   add_counts(document, processor.statistics(), options.max_level);

@@ -2,7 +2,6 @@
 // What --stats writes: one JSON document, described by docs/schemas/statistics.schema.json.
 #pragma once
 
-#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -20,7 +19,7 @@ nlohmann::ordered_json render_document(const std::string& scene, const Camera& c
 /// Of a simulated frame. `occupancies`: of the processor's FIFOs, in their order.
 nlohmann::ordered_json simulation_document(const std::string& scene, const Camera& camera,
                                            const hw::SimulationOptions& options, const hw::Processor& processor,
-                                           const std::vector<std::unique_ptr<hw::Occupancy>>& occupancies);
+                                           const std::vector<hw::Occupancy>& occupancies);
 
 /// The document as text. A name that is not UTF-8 shows with U+FFFD in its place.
 std::string text_of(const nlohmann::ordered_json& document);

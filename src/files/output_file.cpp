@@ -6,8 +6,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
+#include <cstdlib>
 #include <system_error>
 #include <utility>
 
@@ -61,6 +63,13 @@ OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
   [[maybe_unused]] const int ignored = fchmod(descriptor_, status.st_mode & 07777U);
 }
 
+OutputFile::OutputFile(Scratch /*scratch*/) {
+  const char* const folder = std::getenv("TMPDIR");
+  path_ = folder != nullptr && *folder != '\0' ? folder : "/tmp";
+  target_ = path_ / "scratch";
+  open_temporary();
+}
+
 OutputFile::~OutputFile() { close(); }
 
 void OutputFile::write(std::string_view bytes) {
@@ -69,9 +78,36 @@ void OutputFile::write(std::string_view bytes) {
   if (buffer_.size() >= buffer_bytes) flush();
 }
 
+void OutputFile::overwrite(std::uint64_t position, std::string_view bytes) {
+  assert(revisable() && position + bytes.size() <= size());
+  while (!bytes.empty() && position < written_) {
+    const ssize_t written = pwrite(descriptor_, bytes.data(), std::min<std::size_t>(bytes.size(), written_ - position),
+                                   static_cast<off_t>(position));
+    if (written < 0 && errno != EINTR) fail(errno);
+    if (written <= 0) continue;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+    position += static_cast<std::uint64_t>(written);
+  }
+  std::copy(bytes.begin(), bytes.end(), buffer_.begin() + static_cast<std::ptrdiff_t>(position - written_));
+}
+
+void OutputFile::copy_to(const std::function<void(std::string_view)>& take) {
+  assert(revisable());
+  flush();
+  std::string piece(buffer_bytes, '\0');
+  for (std::uint64_t position = 0; position < written_;) {
+    const ssize_t count = pread(descriptor_, piece.data(), piece.size(), static_cast<off_t>(position));
+    if (count < 0 && errno != EINTR) fail(errno);
+    if (count == 0) fail(EIO);  // somebody has cut it
+    if (count < 0) continue;
+    take(std::string_view(piece).substr(0, static_cast<std::size_t>(count)));
+    position += static_cast<std::uint64_t>(count);
+  }
+}
+
 void OutputFile::publish() {
   assert(descriptor_ >= 0 && "published after commit");
-  const std::size_t published = written_;
+  const std::uint64_t published = written_;
   try {
     flush();
   } catch (const RunError&) {
@@ -119,11 +155,11 @@ void OutputFile::open_direct() {
 /// A nameless file is preferred: it leaves nothing behind however the program ends.
 void OutputFile::open_temporary() {
   const std::filesystem::path folder = folder_of(target_);
-  descriptor_ = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, new_file_mode);
+  descriptor_ = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, new_file_mode);
   if (descriptor_ >= 0 && access(descriptor_name(descriptor_).c_str(), F_OK) == 0) return;
   close();
   temporary_ = with_temporary_name(folder, [this](const char* name) {
-    return descriptor_ = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, new_file_mode);
+    return descriptor_ = open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, new_file_mode);
   });
   if (descriptor_ < 0) fail(errno);
 }
@@ -135,7 +171,7 @@ void OutputFile::flush() {
     if (written < 0 && errno != EINTR) fail(errno);
     if (written <= 0) continue;
     rest.remove_prefix(static_cast<std::size_t>(written));
-    written_ += static_cast<std::size_t>(written);
+    written_ += static_cast<std::uint64_t>(written);
   }
   buffer_.clear();
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -23,8 +25,23 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
+  /// A nameless file in the system's folder for temporary files, for copy_to() alone: there is nothing to commit.
+  struct Scratch {};
+  explicit OutputFile(Scratch scratch);
+
   /// Appends `bytes`. Throws RunError, as the constructor does.
   void write(std::string_view bytes);
+
+  /// Bytes written so far.
+  std::uint64_t size() const { return written_ + buffer_.size(); }
+  /// Whether overwrite() is possible: not where the bytes go to a device, a pipe or a descriptor directly.
+  bool revisable() const { return !direct_; }
+  /// Puts `bytes` in the place of as many that were written from `position` on. Throws RunError, as the constructor
+  /// does.
+  void overwrite(std::uint64_t position, std::string_view bytes);
+  /// Appends all that has been written so far, which has to be revisable, to `take` in pieces. Throws RunError, as the
+  /// constructor does.
+  void copy_to(const std::function<void(std::string_view)>& take);
 
   /// Gives the file its name with all that has been written so far, which is complete in itself; more may follow, and
   /// appears with the next call. Where that fails the file ends with what was published before. Throws RunError, as the
@@ -51,8 +68,8 @@ class OutputFile {
   std::string buffer_;
   int descriptor_ = -1;
   bool direct_ = false;
-  bool named_ = false;       // published
-  std::size_t written_ = 0;  // bytes that have left the buffer
+  bool named_ = false;         // published
+  std::uint64_t written_ = 0;  // bytes that have left the buffer
 };
 
 }  // namespace pyrasim

@@ -53,7 +53,8 @@ class Interrupted(tool.EndToEnd):
     def test_killed(self):
         before = self.listing()
         for arguments in (["render", self.scene, "--size", "4000x4000", "--method", "grid:16"],
-                          ["simulate", self.scene, "--size", "3000x3000", "--max-level", "16"]):
+                          ["simulate", self.scene, "--size", "3000x3000", "--max-level", "16"],
+                          ["simulate", self.scene, "--size", "3000x3000", "--trace", "new.vcd"]):
             with self.start(*arguments, *self.outputs) as process:
                 time.sleep(0.3)
                 self.assertIsNone(process.poll(), arguments)
@@ -70,6 +71,7 @@ class Interrupted(tool.EndToEnd):
                 (["render", self.scene, "--size", "4000x4000", "--method", "grid:16"], r"with \d+\.\d % rendered"),
                 (["render", self.scene, "--size", "4000x4000", "--max-level", "11"], r"with \d+\.\d % rendered"),
                 (["simulate", self.scene, "--size", "4000x4000"], simulated),
+                (["simulate", self.scene, "--size", "4000x4000", "--trace", "new.vcd"], simulated),
                 (["simulate", self.scene, "--size", "4000x4000", "--engine", "lockstep"], simulated)):
             for number in (signal.SIGINT, signal.SIGTERM):
                 with self.start(*arguments, *self.outputs) as process:

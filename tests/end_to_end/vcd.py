@@ -1,19 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """The trace, read by a reader of its own, says the same as the statistics."""
 
+import os
 import re
+import subprocess
+from fractions import Fraction
 
 import tool
 from tool import MACHINES, SCENES
 
+UNITS = ("s", "ms", "us", "ns", "ps", "fs")
 STATES = ("idle", "busy", "starved", "blocked")
 
 
 class Vcd:
-    """A value change dump (IEEE 1364-2005, clause 18) of vectors. `signals`: name to the list of (time, value)."""
+    """A value change dump (IEEE 1364-2005, clause 18) of vectors. `signals`: name to the list of (cycle, value)."""
 
-    def __init__(self, text):
+    def __init__(self, text, clock_mhz):
         header, body = text.split("$enddefinitions $end\n")
+        number, unit = re.search(r"^\$timescale (1|10|100) ([munpf]?s) \$end$", header, re.M).groups()
+        self.unit = int(number) * Fraction(1, 10 ** (3 * UNITS.index(unit)))  # seconds
+        self.period = 1 / (Fraction(clock_mhz) * 10**6)  # seconds
         self.scopes = re.findall(r"^\$scope module (\w+) \$end$", header, re.M)
         self.widths, self.signals, names = {}, {}, {}
         for kind, width, code, name, high in re.findall(r"^\$var (\w+) (\d+) (\S+) (\w+) \[(\d+):0\] \$end$", header,
@@ -25,9 +32,9 @@ class Vcd:
         now, dumping = None, False
         for line in body.splitlines():
             if line.startswith("#"):
-                time = int(line[1:])
-                assert now is None and time == 0 or time > now, (now, line)
-                now = time
+                cycle = self.cycle(int(line[1:]))
+                assert now is None and cycle == 0 or cycle > now, (now, line)
+                now = cycle
             elif line in ("$dumpvars", "$end"):
                 assert now == 0
                 dumping = line == "$dumpvars"
@@ -38,6 +45,12 @@ class Vcd:
                 assert dumping == (not changes), line  # each has one initial value, first
                 changes.append((now, int(bits, 2)))
         self.end = now
+
+    def cycle(self, time):
+        """The one that begins at `time`, in units."""
+        cycle = round(time * self.unit / self.period)
+        assert abs(cycle * self.period - time * self.unit) <= self.unit / 2, time
+        return cycle
 
     def spans(self, name):
         """(value, cycles) one after the other, to the end of the trace."""
@@ -55,7 +68,7 @@ class Trace(tool.EndToEnd):
             texts.append(trace.read_text())
             document = tool.read_json(stats)
         self.assertEqual(*texts)
-        vcd = Vcd(texts[0])
+        vcd = Vcd(texts[0], document["machine"]["clock_mhz"])
         self.assertEqual(len(vcd.scopes), 1)
         self.assertEqual(vcd.end, document["machine"]["cycles"])
         self.assertEqual(list(vcd.signals), [part["name"] for part in document["units"] + document["fifos"]])
@@ -70,6 +83,7 @@ class Trace(tool.EndToEnd):
             self.assertEqual(max(value for value, length in spans if length > 0), fifo["max"], where)
             self.assertAlmostEqual(sum(value * length for value, length in spans) / vcd.end, fifo["mean"], 9, where)
             self.assertLess(fifo["depth"], 2 ** vcd.widths[fifo["name"]])
+        return document
 
     def test_trace_is_the_statistics(self):
         keel, spheres = SCENES / "keel.json", SCENES / "spheres.json"
@@ -81,13 +95,68 @@ class Trace(tool.EndToEnd):
         self.check(SCENES / "fins.json", "--size", "1x1")
         self.check(self.write("empty.json", tool.scene([])))
 
+    def test_time_is_the_clocks(self):
+        """The unit is as stated, exact where a cycle is a whole number of it, and never off by more than a half."""
+        for clock, unit, dates in ((200, "1 ns", 5), (1000, "1 ns", 1), (1, "1 us", 1), (400, "100 ps", 25),
+                                   (0.001, "1 ms", 1), (333, "1 fs", None), (0.3, "1 ps", None)):
+            document = self.check(SCENES / "keel.json", "--size", "16x12", "--set", f"clock_mhz={clock}")
+            text = (self.folder / "decoupled.vcd").read_text()
+            self.assertIn(f"\n$timescale {unit} $end\n", text)
+            if dates:
+                last = re.findall("^#([0-9]+)$", text, re.M)[-1]
+                self.assertEqual(int(last), document["machine"]["cycles"] * dates)
+
+    def test_pipes_and_descriptors(self):
+        """What cannot be written twice gets the same bytes."""
+        arguments = ["simulate", SCENES / "keel.json", "--size", "64x48"]
+        self.ok(*arguments, "--trace", "out.vcd")
+        expected = (self.folder / "out.vcd").read_text()
+        self.assertGreater(len(expected), 10 * 65536)
+        self.assertEqual(self.run_tool(*arguments, "--trace", "-").stdout, expected)
+        self.assertTrue(self.run_tool(*arguments, "--trace", "/dev/stdout").stdout.startswith(expected))
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["out.vcd"])
+
+    def memory(self, *arguments):
+        """The most that a run takes, bytes."""
+        process = subprocess.Popen([tool.PYRASIM, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, cwd=self.folder)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, tool.OK)
+        return 1024 * usage.ru_maxrss
+
+    def test_memory_does_not_grow_with_the_frame(self):
+        """Ten times the rows are a hundred megabytes more of trace, and some of picture in memory."""
+        for name in ("out.vcd", "-"):
+            arguments = ["simulate", SCENES / "keel.json", "--trace", name, "--threads", "1", "--size"]
+            low, high = (self.memory(*arguments, f"320x{rows}") for rows in (200, 2000))
+            self.assertLess(high - low, 48e6)
+
+    def test_nothing_of_a_frame_that_is_not_finished(self):
+        """Though most of the trace has been written by then; nor where the disk is full."""
+        for engine in ("decoupled", "lockstep"):
+            arguments = ["simulate", SCENES / "keel.json", "--size", "64x48", "--engine", engine]
+            cycles = self.stats(*arguments)["machine"]["cycles"]
+            before = sorted(self.folder.iterdir())
+            for name in ("out.vcd", "-", "/dev/stdout"):
+                run = self.run_tool(*arguments, "--max-cycles", cycles - 1, "--trace", name)
+                self.assertEqual((run.returncode, run.stdout), (tool.LIMIT, ""))
+            for name, says in (("out.vcd", "out.vcd"), ("-", str(self.folder))):
+                run = subprocess.run(["sh", "-c", 'trap "" XFSZ; ulimit -f 100; exec "$0" "$@"', tool.PYRASIM,
+                                      *map(str, arguments), "--trace", name], stdin=subprocess.DEVNULL, timeout=60,
+                                     capture_output=True, encoding="utf-8", cwd=self.folder, check=False,
+                                     env={**os.environ, "TMPDIR": str(self.folder)})
+                self.assertEqual((run.returncode, run.stdout), (tool.RUN_FAILED, ""))
+                self.assertEqual(run.stderr, f"pyrasim: {says}: cannot write: File too large\n")
+            self.assertEqual(sorted(self.folder.iterdir()), before)
+
     def test_stdout(self):
         run = self.run_tool("simulate", SCENES / "keel.json", "--size", "16x12", "--trace", "-")
         self.assertEqual(run.returncode, tool.OK)
         self.assertIn("cycles", run.stderr)
         self.ok("simulate", SCENES / "keel.json", "--size", "16x12", "--trace", "out.vcd")
         self.assertEqual(run.stdout, (self.folder / "out.vcd").read_text())
-        self.assertGreater(Vcd(run.stdout).end, 0)
+        self.assertGreater(Vcd(run.stdout, 200).end, 0)
 
     def test_trace_changes_nothing(self):
         arguments = ["simulate", SCENES / "keel.json", "--size", "32x24"]

@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <optional>
+
 #include "../temporary_folder.h"
 #include "error.h"
 
@@ -52,6 +54,38 @@ TEST_F(OutputFileTest, keeps_the_old_file_until_committed) {
   EXPECT_EQ(contents(in_folder("a.txt")), "new");
   EXPECT_EQ(entries(), 1);
 }
+
+/// Before, across and behind what has left the buffer; by a text that is kept beside it.
+TEST_F(OutputFileTest, can_be_overwritten_anywhere) {
+  for (const bool scratch : {false, true}) {
+    std::optional<OutputFile> file;
+    scratch ? file.emplace(OutputFile::Scratch{}) : file.emplace(in_folder("a.txt"));
+    EXPECT_TRUE(file->revisable());
+    std::string expected;
+    for (int k = 0; k < 3000; ++k) {
+      const std::string piece(static_cast<std::size_t>(100 + k % 7), static_cast<char>('a' + k % 26));
+      file->write(piece);
+      expected += piece;
+      ASSERT_EQ(file->size(), expected.size());
+      const std::size_t position = expected.size() * static_cast<std::size_t>(k % 11) / 11;
+      file->overwrite(position, "OVER");
+      expected.replace(position, 4, "OVER");
+      if (k % 100 == 0) {
+        file->overwrite(0, std::string(expected.size(), '.'));
+        expected.assign(expected.size(), '.');
+      }
+    }
+    std::string copy;
+    file->copy_to([&](std::string_view bytes) { copy += bytes; });
+    EXPECT_EQ(copy, expected);
+    if (scratch) continue;
+    file->commit();
+    EXPECT_EQ(contents(in_folder("a.txt")), expected);
+  }
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(OutputFileTest, a_pipe_cannot_be_overwritten) { EXPECT_FALSE(OutputFile("/dev/null").revisable()); }
 
 TEST_F(OutputFileTest, published_parts_are_there_before_the_commit_and_stay_without_it) {
   for (const bool replaces : {false, true}) {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <deque>
 #include <string>
+#include <vector>
 
 #include "cycle_loop.h"
 #include "hw_model/processor.h"
@@ -12,31 +12,28 @@
 namespace pyrasim::hw {
 
 /// Notes the dates of every FIFO of one machine. To be made before the simulation runs, and to outlive it.
-class TimelineRecorder {
+class TimelineRecorder final : public EventSink {
  public:
-  explicit TimelineRecorder(Processor& machine) : machine_(machine) {
-    for (FifoBase* fifo : machine.fifos()) fifo->observe(observers_.emplace_back());
+  explicit TimelineRecorder(Processor& machine) : machine_(machine), fifos_(machine.fifos().size()) {
+    machine.attach(*this);
   }
   TimelineRecorder(const TimelineRecorder&) = delete;
   TimelineRecorder& operator=(const TimelineRecorder&) = delete;
 
+  void take(const Event& event) override {
+    if (event.kind == Event::Kind::write) fifos_[event.source].writes.push_back(event.at);
+    if (event.kind == Event::Kind::read) fifos_[event.source].reads.push_back(event.at);
+  }
+
   Timeline timeline() const {
     Timeline result{machine_.cycles(), {}};
-    for (std::size_t k = 0; k < observers_.size(); ++k) {
-      result.fifos[machine_.fifos()[k]->basename()] = observers_[k].dates;
-    }
+    for (std::size_t k = 0; k < fifos_.size(); ++k) result.fifos[machine_.fifos()[k]->basename()] = fifos_[k];
     return result;
   }
 
  private:
-  struct Observer final : FifoObserver {
-    FifoDates dates;
-    void written(Cycle at) override { dates.writes.push_back(at); }
-    void read(Cycle at) override { dates.reads.push_back(at); }
-  };
-
   const Processor& machine_;
-  std::deque<Observer> observers_;
+  std::vector<FifoDates> fifos_;
 };
 
 /// Finds the first date, in time, that differs between two timelines: what comes before it is the same, so it is the

@@ -27,7 +27,7 @@ class CountedFifo {
       fifo_.preload(0);
       writes_.push_back(0);
     }
-    occupancy_.emplace(fifo_);
+    occupancy_.emplace(traffic.preloaded);
     std::size_t left = traffic.tokens;
     while (left > 0) {
       const std::uint64_t steps = 1 + random_() % traffic.depth;
@@ -59,11 +59,13 @@ class CountedFifo {
   void write(Cycle pause) {
     last_write_ = std::max(last_write_ + 1 + random_() % pause, fifo_.room_at());
     fifo_.write(0, last_write_, 1 + random_() % 3);
+    occupancy_->write(last_write_);
     writes_.push_back(last_write_);
   }
   void read(Cycle pause) {
     last_read_ = std::max(last_read_ + 1 + random_() % pause, fifo_.token_at());
     fifo_.read(last_read_);
+    occupancy_->read(last_read_);
     reads_.push_back(last_read_);
   }
 
@@ -117,21 +119,19 @@ TEST(Occupancy, CountsTokensThatWereThereBefore) {
 
 /// Long after the last token, points go on with what is left.
 TEST(Occupancy, GoesOnToTheEndOfTheFrame) {
-  Fifo<int> fifo("fifo", 4);
-  const Occupancy occupancy(fifo);
-  fifo.write(0, 3, 1);
-  fifo.write(0, 5, 1);
-  fifo.read(6);
+  Occupancy occupancy(0);
+  occupancy.write(3);
+  occupancy.write(5);
+  occupancy.read(6);
   EXPECT_EQ(occupancy.points(10), (std::vector<std::size_t>{0, 0, 0, 1, 1, 2, 2, 1, 1, 1}));
 }
 
 TEST(Occupancy, ReachesToTheEndOfALongFrameWhoseTrafficIsOverEarly) {
   for (const Cycle cycles : {256, 257, 512, 513, 100'000}) {
-    Fifo<int> fifo(sc_core::sc_gen_unique_name("fifo"), 4);
-    Occupancy occupancy(fifo);
-    fifo.write(0, 0, 1);
-    fifo.write(0, 100, 1);
-    fifo.read(200);
+    Occupancy occupancy(0);
+    occupancy.write(0);
+    occupancy.write(100);
+    occupancy.read(200);
     occupancy.end_frame(cycles);
     const std::vector<std::size_t> points = occupancy.points(cycles);
     EXPECT_LE(points.size(), Occupancy::most_points);

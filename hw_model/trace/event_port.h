@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hw_model/trace/event_stream.h"
+
+namespace pyrasim::hw {
+
+/// Where a stage or FIFO reports to: the stream, and its own place in it. Nowhere, as long as nobody listens.
+class EventPort {
+ public:
+  EventPort() = default;
+  EventPort(EventStream& stream, std::size_t source) : stream_(&stream), source_(static_cast<std::uint32_t>(source)) {}
+
+  explicit operator bool() const { return stream_ != nullptr; }
+  void read(Cycle at) const { stream_->put({.kind = Event::Kind::read, .source = source_, .at = at}); }
+  void write(Cycle at) const { stream_->put({.kind = Event::Kind::write, .source = source_, .at = at}); }
+  void firing(StageState waited, Cycle since, Cycle at, Cycle until) const {
+    stream_->put({Event::Kind::firing, waited, source_, at, since, until});
+  }
+
+ private:
+  EventStream* stream_ = nullptr;
+  std::uint32_t source_ = 0;
+};
+
+}  // namespace pyrasim::hw

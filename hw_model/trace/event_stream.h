@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <systemc>
+#include <vector>
+
+#include "hw_model/trace/event.h"
+#include "hw_model/trace/ray_numbers.h"
+
+namespace pyrasim::hw {
+
+/// Merges what stages and FIFOs report, each in ascending order of its own but run ahead of the others, into one stream
+/// in the order of Event. It holds events back until a watermark has passed them, a date before which nothing can
+/// happen any more. So both engines give the same stream, event by event, and no more is held than what stages are
+/// ahead of each other, plus what comes between two watermarks.
+class EventStream {
+ public:
+  void attach(EventSink& sink) { (sink.in_order() ? sinks_ : early_sinks_).push_back(&sink); }
+  bool has_sinks_in_order() const { return !sinks_.empty(); }
+  void number_rays(RayNumbers numbers) { numbers_ = std::move(numbers); }
+
+  /// An event of a stage or FIFO whose earlier ones have been put in.
+  void put(const Event& event) {
+    if (event.kind != Event::Kind::firing) {
+      for (EventSink* sink : early_sinks_) sink->take(event);
+    }
+    if (sinks_.empty()) return;
+    held_.push_back(event);
+    if (follows_kernel_ && held_.size() == 1) next_cycle();
+  }
+  /// Whether enough is held for a watermark to pay.
+  bool due() const { return held_.size() >= due_at_; }
+  /// Hands all events before `watermark` to the sinks.
+  void release(Cycle watermark);
+  /// For a machine whose dates are the kernel's: releases every cycle's events in the next one by itself. Before the
+  /// simulation starts.
+  void follow_kernel();
+
+  /// The most events held at once.
+  std::size_t peak() const { return std::max(peak_, held_.size()); }
+
+ private:
+  static constexpr std::size_t least_due = 4096;  ///< so that sorting costs little
+
+  void next_cycle();
+
+  std::vector<EventSink*> sinks_;        ///< that take events in order
+  std::vector<EventSink*> early_sinks_;  ///< the others
+  std::vector<Event> held_;              ///< in the order in which they came
+  std::size_t due_at_ = least_due;
+  std::size_t peak_ = 0;
+  RayNumbers numbers_;
+  bool follows_kernel_ = false;
+  sc_core::sc_event cycle_over_;
+};
+
+}  // namespace pyrasim::hw

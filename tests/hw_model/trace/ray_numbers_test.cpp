@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/trace/ray_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <numeric>
+#include <random>
+
+#include "../../test_scenes.h"
+#include "../event_list.h"
+#include "../random_machine.h"
+#include "../simulation.h"
+
+namespace pyrasim::hw {
+namespace {
+
+using Kind = Event::Kind;
+
+constexpr const char* requests = "subdivision_controller_to_view_vector_generator";
+constexpr const char* nodes = "subdivision_controller_to_pyramid_classifier";
+
+/// Events of the FIFOs of all units, in order. `to_units`: of rays; else of samples.
+std::vector<Event> at_units(const EventList& list, Kind kind, bool to_units) {
+  std::vector<Event> result;
+  for (const Event& event : list.all()) {
+    if (event.kind != kind || kind == Kind::firing) continue;
+    const std::string name = list.name_of(event);
+    if (name.starts_with(to_units ? "view_vector_generator_to_intersection_unit" : "intersection_unit")) {
+      result.push_back(event);
+    }
+  }
+  return result;
+}
+
+std::vector<std::uint64_t> rays_of(const std::vector<Event>& events) {
+  std::vector<std::uint64_t> rays;
+  for (const Event& event : events) rays.push_back(event.ray);
+  return rays;
+}
+
+std::vector<std::uint64_t> numbers(std::size_t count) {
+  std::vector<std::uint64_t> result(count);
+  std::iota(result.begin(), result.end(), 0U);
+  return result;
+}
+
+/// Some machines of each dispatch, with the events of a frame.
+class Rays : public testing::Test {
+ protected:
+  Rays() {
+    std::mt19937_64 random(43);
+    for (int k = 0; k < 24; ++k) {
+      SimulationOptions options;
+      options.max_level = static_cast<int>(random() % 5);
+      lists_.emplace_back(simulation_.add(random_scene(random(), {12, 12, 0}, 12, 10),
+                                          random_machine(random, options.max_level), options));
+    }
+    simulation_.run();
+  }
+
+  Simulation simulation_;
+  std::deque<EventList> lists_;
+};
+
+/// Issued in the order of their numbers, and so taken by the classifier, though units return them in any order.
+TEST_F(Rays, AreNumberedInOrderOfIssue) {
+  for (const EventList& list : lists_) {
+    const std::vector<std::uint64_t> all = numbers(list.machine().statistics().total_rays());
+    EXPECT_EQ(rays_of(at_units(list, Kind::write, true)), all);
+    EXPECT_EQ(rays_of(at_units(list, Kind::read, false)), all);
+    EXPECT_EQ(rays_of(list.of(Kind::firing, "view_vector_generator")), all);
+    const std::string queue = "view_vector_generator_to_pyramid_classifier";
+    const std::vector<Event> queued = list.of(Kind::read, queue);
+    if (!queued.empty()) {
+      EXPECT_EQ(rays_of(queued), all);
+    }
+    EXPECT_EQ(rays_of(list.of(Kind::write, queue)), rays_of(queued));
+  }
+}
+
+/// A unit's ray is the one that it reads, works on and writes in the same cycle.
+TEST_F(Rays, GoThroughAUnitInOneFiring) {
+  for (const EventList& list : lists_) {
+    for (std::size_t k = 0; k < list.machine().spec().intersection_units; ++k) {
+      const std::string unit = "intersection_unit_" + std::to_string(k);
+      const std::vector<Event> read = list.of(Kind::read, "view_vector_generator_to_" + unit);
+      const std::vector<Event> firings = list.of(Kind::firing, unit);
+      const std::vector<Event> written = list.of(Kind::write, unit + "_to_pyramid_classifier");
+      EXPECT_EQ(rays_of(read), rays_of(list.of(Kind::write, "view_vector_generator_to_" + unit)));
+      EXPECT_EQ(rays_of(read), rays_of(firings));
+      EXPECT_EQ(rays_of(read), rays_of(written));
+      for (std::size_t n = 0; n < read.size(); ++n) {
+        EXPECT_EQ(read[n].at, firings[n].at);
+        EXPECT_EQ(read[n].at, written[n].at);
+      }
+    }
+  }
+}
+
+/// A request's rays are five in a row, the first with its reading; the others are corners.
+TEST_F(Rays, HaveTheirRequestAsParent) {
+  for (const EventList& list : lists_) {
+    const FrameStatistics statistics = list.machine().statistics();
+    std::map<std::uint64_t, std::vector<Event>> children;
+    for (const Event& ray : at_units(list, Kind::write, true)) children[ray.parent].push_back(ray);
+    EXPECT_EQ(children[no_number].size(), statistics.primary_rays());
+    EXPECT_EQ(children.size() - 1, statistics.subdivisions);
+    for (const char* fifo : {requests, nodes}) {
+      const std::vector<Event> written = list.of(Kind::write, fifo);
+      const std::vector<Event> read = list.of(Kind::read, fifo);
+      ASSERT_EQ(written.size(), statistics.subdivisions);
+      ASSERT_EQ(read.size(), statistics.subdivisions);
+      for (std::uint64_t k = 0; k < read.size(); ++k) {
+        EXPECT_EQ(written[k].parent, k);
+        EXPECT_EQ(read[k].parent, k);
+        const std::vector<Event>& rays = children[k];
+        ASSERT_EQ(rays.size(), subdivision_rays);
+        EXPECT_EQ(rays.back().ray, rays.front().ray + subdivision_rays - 1);
+        if (fifo == requests) {
+          EXPECT_EQ(read[k].at, rays.front().at);
+        }
+      }
+    }
+  }
+}
+
+/// The classifier reads a node together with the first of its samples.
+TEST_F(Rays, MeetTheirNodeAtTheClassifier) {
+  for (const EventList& list : lists_) {
+    std::map<Cycle, std::uint64_t> parents;
+    for (const Event& sample : at_units(list, Kind::read, false)) parents[sample.at] = sample.parent;
+    for (const Event& node : list.of(Kind::read, nodes)) EXPECT_EQ(parents.at(node.at), node.parent);
+  }
+}
+
+}  // namespace
+}  // namespace pyrasim::hw
