@@ -42,6 +42,7 @@ void for_each_setting(Spec& spec, const Visit& visit) {
   visit("pyramid_classifier.line_buffer", spec.line_buffer, IntegerRange{3, 65'537});
   stage("subdivision_controller", spec.subdivision_controller);
   visit("subdivision_controller.pool", spec.subdivision_pool, IntegerRange{0, 1'000'000});
+  stage("color_unit", spec.color_unit);
   stage("tree_accumulator", spec.tree_accumulator);
   visit("tree_accumulator.pixels", spec.pixels_in_flight, IntegerRange{1, 1'000'000});
   visit("frame_buffer.interval", spec.frame_buffer_interval, cycles);
@@ -53,7 +54,8 @@ void for_each_setting(Spec& spec, const Visit& visit) {
   fifo("pyramid_classifier_to_subdivision_controller", fifos.pyramid_classifier_to_subdivision_controller);
   fifo("subdivision_controller_to_view_vector_generator", fifos.subdivision_controller_to_view_vector_generator);
   fifo("subdivision_controller_to_pyramid_classifier", fifos.subdivision_controller_to_pyramid_classifier);
-  fifo("pyramid_classifier_to_tree_accumulator", fifos.pyramid_classifier_to_tree_accumulator);
+  fifo("pyramid_classifier_to_color_unit", fifos.pyramid_classifier_to_color_unit);
+  fifo("color_unit_to_tree_accumulator", fifos.color_unit_to_tree_accumulator);
   fifo("tree_accumulator_to_frame_buffer", fifos.tree_accumulator_to_frame_buffer);
 }
 

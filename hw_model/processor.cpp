@@ -35,8 +35,9 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
       pixel_scan_("pixel_scan", spec.pixel_scan, window_, options.max_level),
       view_vector_generator_("view_vector_generator", spec.view_vector_generator, spec.intersection_units,
                              spec.dispatch, view_vectors_, formats_.counts_events(), options.max_level),
-      pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, scene, options.edge,
+      pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, window_,
                           options.max_level),
+      color_unit_("color_unit", spec.color_unit, scene, options.edge),
       tree_accumulator_("tree_accumulator", spec.tree_accumulator, spec.pixels_in_flight, options.max_level),
       frame_buffer_("frame_buffer", spec.frame_buffer_interval, window_.columns, window_.rows,
                     stopping(options.progress)) {
@@ -55,8 +56,7 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
     for (Stage* stage : stages_) stage->run_in_lockstep(control_);
     return;
   }
-  DecoupledEngine::Boxes boxes{pixel_scan_,       view_vector_generator_, {},
-                               controller_.get(), tree_accumulator_,      frame_buffer_};
+  DecoupledEngine::Boxes boxes{pixel_scan_, view_vector_generator_, {}, controller_.get(), color_unit_, frame_buffer_};
   for (const auto& unit : intersection_units_) boxes.units.push_back(unit.get());
   engine_ = std::make_unique<DecoupledEngine>(stages_, wires_, std::move(boxes), spec);
   sc_core::sc_spawn(
@@ -124,14 +124,17 @@ void Processor::bind() {
   }
   stages_.push_back(&pyramid_classifier_);
   if (controller_) bind_controller();
-  connect<TerminalMessage>("pyramid_classifier_to_tree_accumulator", depths.pyramid_classifier_to_tree_accumulator,
-                           pyramid_classifier_, pyramid_classifier_.tree_accumulator, tree_accumulator_,
-                           tree_accumulator_.pyramid_classifier);
+  connect<TerminalMessage>("pyramid_classifier_to_color_unit", depths.pyramid_classifier_to_color_unit,
+                           pyramid_classifier_, pyramid_classifier_.color_unit, color_unit_,
+                           color_unit_.pyramid_classifier);
+  connect<ColorMessage>("color_unit_to_tree_accumulator", depths.color_unit_to_tree_accumulator, color_unit_,
+                        color_unit_.tree_accumulator, tree_accumulator_, tree_accumulator_.color_unit);
   connect<PixelMessage>("tree_accumulator_to_frame_buffer", depths.tree_accumulator_to_frame_buffer, tree_accumulator_,
                         tree_accumulator_.frame_buffer, frame_buffer_, frame_buffer_.tree_accumulator);
   auto& credits = connect<SlotCredit>("tree_accumulator_to_pixel_scan", spec_.pixels_in_flight, tree_accumulator_,
                                       tree_accumulator_.pixel_scan, pixel_scan_, pixel_scan_.tree_accumulator);
   for (std::uint32_t slot = 0; slot < spec_.pixels_in_flight; ++slot) credits.preload({slot});
+  stages_.push_back(&color_unit_);
   stages_.push_back(&tree_accumulator_);
   stages_.push_back(&frame_buffer_);
 }

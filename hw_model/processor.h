@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "hw_model/color_unit.h"
 #include "hw_model/decoupled_engine.h"
 #include "hw_model/frame_buffer.h"
 #include "hw_model/intersection_unit.h"
@@ -101,6 +102,7 @@ class Processor final : public sc_core::sc_module {
   ViewVectorGenerator view_vector_generator_;
   std::vector<std::unique_ptr<IntersectionUnit>> intersection_units_;
   PyramidClassifier pyramid_classifier_;
+  ColorUnit color_unit_;
   std::unique_ptr<SubdivisionController> controller_;  ///< none where nothing is subdivided
   TreeAccumulator tree_accumulator_;
   FrameBuffer frame_buffer_;

@@ -20,7 +20,7 @@ namespace pyrasim::hw {
 /// frame buffer, and its slot back to the pixel scan.
 class TreeAccumulator final : public StageOf<TreeAccumulator> {
  public:
-  FifoPort<TerminalMessage> pyramid_classifier{"pyramid_classifier"};
+  FifoPort<ColorMessage> color_unit{"color_unit"};
   FifoPort<PixelMessage> frame_buffer{"frame_buffer"};
   FifoPort<SlotCredit> pixel_scan{"pixel_scan"};
 
@@ -38,14 +38,14 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
     Start start;
   };
   struct Ends {
-    FifoReader<TerminalMessage> pyramid_classifier;
+    FifoReader<ColorMessage> color_unit;
     FifoWriter<PixelMessage> frame_buffer;
     FifoWriter<SlotCredit> pixel_scan;
   };
-  Ends ends() const { return {FifoReader(*pyramid_classifier), FifoWriter(*frame_buffer), FifoWriter(*pixel_scan)}; }
+  Ends ends() const { return {FifoReader(*color_unit), FifoWriter(*frame_buffer), FifoWriter(*pixel_scan)}; }
   Plan next(const Ends& ends, Cycle ready) const;
   Cycle fire(Ends& ends, const Plan& plan);
-  bool completes(const TerminalMessage& node) const;
+  bool completes(const ColorMessage& node) const;
   void finish(const PixelTag& tag, std::uint32_t deepest, const glm::vec3& color, Ends& ends, Cycle now);
 
   StageTiming timing_;

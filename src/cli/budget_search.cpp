@@ -92,11 +92,12 @@ BudgetSetting size_setting(const Screen& asked) {
 
 /// The stages that have an interval, by name.
 hw::Cycle* interval_of(hw::MachineSpec& spec, const std::string& unit) {
-  const std::array<std::pair<const char*, hw::Cycle*>, 6> intervals{
+  const std::array<std::pair<const char*, hw::Cycle*>, 7> intervals{
       {{"pixel_scan", &spec.pixel_scan.interval},
        {"view_vector_generator", &spec.view_vector_generator.interval},
        {"pyramid_classifier", &spec.pyramid_classifier.interval},
        {"subdivision_controller", &spec.subdivision_controller.interval},
+       {"color_unit", &spec.color_unit.interval},
        {"tree_accumulator", &spec.tree_accumulator.interval},
        {"frame_buffer", &spec.frame_buffer_interval}}};
   for (const auto& [name, interval] : intervals) {

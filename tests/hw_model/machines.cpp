@@ -16,7 +16,7 @@ MachineSpec quick_machine() {
 }
 
 MachineSpec with_all_fifos(MachineSpec spec, std::size_t depth) {
-  spec.fifos = {depth, depth, depth, depth, depth, depth, depth, depth};
+  spec.fifos = {depth, depth, depth, depth, depth, depth, depth, depth, depth};
   return spec;
 }
 
