@@ -3,8 +3,8 @@
 
 namespace pyrasim::hw {
 
-ColorUnit::ColorUnit(const sc_core::sc_module_name& name, StageTiming timing, const Scene& scene, EdgePolicy edge)
-    : StageOf(name), timing_(timing), palette_(scene), edge_policy_(edge) {}
+ColorUnit::ColorUnit(const sc_core::sc_module_name& name, const FrameSetup& frame)
+    : StageOf(name), timing_(frame.spec.color_unit), palette_(frame.scene), edge_policy_(frame.options.edge) {}
 
 Cycle ColorUnit::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();

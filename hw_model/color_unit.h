@@ -4,8 +4,8 @@
 #include "hw_model/fifo/fifo_port.h"
 #include "hw_model/fifo/fifo_reader.h"
 #include "hw_model/fifo/fifo_writer.h"
-#include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/plan/frame_setup.h"
 #include "hw_model/stage/stage_of.h"
 
 namespace pyrasim::hw {
@@ -18,7 +18,7 @@ class ColorUnit final : public StageOf<ColorUnit> {
   FifoPort<TerminalMessage> pyramid_classifier{"pyramid_classifier"};
   FifoPort<ColorMessage> tree_accumulator{"tree_accumulator"};
 
-  ColorUnit(const sc_core::sc_module_name& name, StageTiming timing, const Scene& scene, EdgePolicy edge);
+  ColorUnit(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
  private:
   friend StageOf;

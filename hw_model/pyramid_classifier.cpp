@@ -3,13 +3,12 @@
 
 namespace pyrasim::hw {
 
-PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units,
-                                     const PixelWindow& window, int max_level)
+PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, const FrameSetup& frame)
     : StageOf(name),
-      intersection_units("intersection_unit", units),
-      timing_(timing),
-      max_level_(max_level),
-      window_(window),
+      intersection_units("intersection_unit", frame.spec.intersection_units),
+      timing_(frame.spec.pyramid_classifier),
+      max_level_(frame.options.max_level),
+      window_(frame.window),
       columns_(static_cast<std::uint32_t>(window_.columns)),
       line_buffer_(static_cast<std::size_t>(columns_) + 1) {}
 

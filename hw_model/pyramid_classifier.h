@@ -7,8 +7,8 @@
 #include "hw_model/fifo/fifo_port.h"
 #include "hw_model/fifo/fifo_ports.h"
 #include "hw_model/fifo/fifo_writer.h"
-#include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/plan/frame_setup.h"
 #include "hw_model/stage/stage_of.h"
 #include "render/frame_statistics.h"
 
@@ -28,8 +28,7 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   OptionalFifoPort<NodeMessage> subdivision_controller{"subdivision_controller"};
   FifoPort<TerminalMessage> color_unit{"color_unit"};
 
-  PyramidClassifier(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units,
-                    const PixelWindow& window, int max_level);
+  PyramidClassifier(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
   int max_level() const { return max_level_; }
   /// Counts of cases, subdivisions and terminal nodes.

@@ -5,9 +5,11 @@
 
 namespace pyrasim::hw {
 
-TreeAccumulator::TreeAccumulator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t slots,
-                                 int max_level)
-    : StageOf(name), timing_(timing), max_level_(max_level), slots_(slots) {}
+TreeAccumulator::TreeAccumulator(const sc_core::sc_module_name& name, const FrameSetup& frame)
+    : StageOf(name),
+      timing_(frame.spec.tree_accumulator),
+      max_level_(frame.options.max_level),
+      slots_(frame.spec.pixels_in_flight) {}
 
 bool TreeAccumulator::completes(const ColorMessage& node) const {
   return node.level == 0 || slots_[node.tag.slot].tree.completed_by(node.level, max_level_);

@@ -8,8 +8,8 @@
 #include "hw_model/fifo/fifo_reader.h"
 #include "hw_model/fifo/fifo_writer.h"
 #include "hw_model/latency_histogram.h"
-#include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/plan/frame_setup.h"
 #include "hw_model/slowest_pixels.h"
 #include "hw_model/stage/stage_of.h"
 #include "pyramid/trace_tree.h"
@@ -24,7 +24,7 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
   FifoPort<PixelMessage> frame_buffer{"frame_buffer"};
   FifoPort<SlotCredit> pixel_scan{"pixel_scan"};
 
-  TreeAccumulator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t slots, int max_level);
+  TreeAccumulator(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
   /// Cycles from the scan's sending of a pixel's last corner to its colour being visible to the frame buffer; by the
   /// deepest level of the pixel's trace tree.
