@@ -14,8 +14,8 @@ namespace pyrasim::hw {
 
 /// visit(path, setting, allowed) for every setting but the name. `path` is that of --set, "intersection.cost.ray";
 /// `allowed` is an IntegerRange for Cycle and std::size_t, a NumberRange for double, and the names for an enumeration.
-/// Spec: MachineSpec, or const. A new setting is a line here (the depth of a
-/// FIFO: in plan/wire_list.h), one in machine_spec.h and one in the schema.
+/// Spec: MachineSpec, or const. A new setting is a line here (the depth of a FIFO: in plan/wire_list.h), one in
+/// machine_spec.h and one in the schema.
 template <class Spec, class Visit>
 void for_each_setting(Spec& spec, const Visit& visit) {
   constexpr IntegerRange cycles{1, 1'000'000};
