@@ -4,6 +4,7 @@
 #include <random>
 
 #include "hw_model/machine_spec.h"
+#include "hw_model/plan/wire_list.h"
 
 namespace pyrasim::hw {
 
@@ -28,7 +29,9 @@ inline MachineSpec random_machine(std::mt19937_64& random, int max_level) {
   spec.tree_accumulator = timing();
   spec.pixels_in_flight = from(1, from(1, 300));
   spec.frame_buffer_interval = timing().interval;
-  spec.fifos = {depth(), depth(), depth(), depth(), depth(), depth(), depth(), depth(), depth()};
+  for_each_wire([&](const auto& wire) {
+    if (wire.depth != nullptr) spec.fifos.*wire.depth = depth();
+  });
   return spec;
 }
 
