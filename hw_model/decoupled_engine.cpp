@@ -14,8 +14,8 @@ DecoupledEngine::DecoupledEngine(std::vector<Stage*> stages, const std::vector<W
       unit_latency_(spec.intersection_cost.ray - 1 + spec.intersection_latency),
       request_latency_(spec.subdivision_controller.latency) {
   for (Stage* stage : stages_) stage->attach(work_);
-  for (const Wire& wire : wires) {  // nothing but their own time waits for these readers
-    if (wire.reader == &boxes_.accumulator || wire.reader == &boxes_.frame_buffer) wire.fifo->wake_reader_when_full();
+  for (const Wire& wire : wires) {  // only room and free slots come back from these
+    if (wire.reader == &boxes_.color_unit || wire.reader == &boxes_.frame_buffer) wire.fifo->wake_reader_when_full();
   }
 }
 
@@ -55,7 +55,7 @@ void DecoupledEngine::settle() {
   if (boxes_.generator.sees_next_corner()) return;
   boxes_.scan.drain();
   if (boxes_.generator.sees_next_corner()) return;
-  boxes_.accumulator.wake();  // the scan may wait for a slot
+  boxes_.color_unit.wake();  // the scan may wait for a slot
   work_.run();
   boxes_.scan.drain();
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "hw_model/color_unit.h"
 #include "hw_model/frame_buffer.h"
 #include "hw_model/intersection_unit.h"
 #include "hw_model/pixel_scan.h"
@@ -11,7 +12,6 @@
 #include "hw_model/stage/work_list.h"
 #include "hw_model/subdivision_controller.h"
 #include "hw_model/trace/event_stream.h"
-#include "hw_model/tree_accumulator.h"
 #include "hw_model/view_vector_generator.h"
 #include "hw_model/wire.h"
 
@@ -34,7 +34,7 @@ class DecoupledEngine {
     ViewVectorGenerator& generator;
     std::vector<IntersectionUnit*> units;
     SubdivisionController* controller;
-    TreeAccumulator& accumulator;
+    ColorUnit& color_unit;
     FrameBuffer& frame_buffer;
   };
 

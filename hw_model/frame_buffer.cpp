@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hw_model/frame_buffer.h"
 
-#include <utility>
-
 namespace pyrasim::hw {
 
-FrameBuffer::FrameBuffer(const sc_core::sc_module_name& name, Cycle interval, int columns, int rows, Progress progress)
+FrameBuffer::FrameBuffer(const sc_core::sc_module_name& name, const FrameSetup& frame)
     : StageOf(name),
-      interval_(interval),
-      image_(columns, rows),
-      progress_(std::move(progress)),
-      next_progress_(progress_ ? static_cast<std::size_t>(columns) : 0) {}
+      interval_(frame.spec.frame_buffer_interval),
+      image_(frame.window.columns, frame.window.rows),
+      progress_(frame.progress),
+      next_progress_(progress_ ? static_cast<std::size_t>(frame.window.columns) : 0) {}
 
 Cycle FrameBuffer::fire(Ends& ends, const Plan& plan) {
   const PixelMessage& message = ends.tree_accumulator.front();

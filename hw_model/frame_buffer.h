@@ -3,8 +3,8 @@
 
 #include "hw_model/fifo/fifo_port.h"
 #include "hw_model/fifo/fifo_reader.h"
-#include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/plan/frame_setup.h"
 #include "hw_model/stage/stage_of.h"
 #include "image/image.h"
 #include "render/parallel.h"
@@ -16,8 +16,8 @@ class FrameBuffer final : public StageOf<FrameBuffer> {
  public:
   FifoPort<PixelMessage> tree_accumulator{"tree_accumulator"};
 
-  /// `interval`: from a firing to the next, cycles. It has no latency: nothing waits for what it stores.
-  FrameBuffer(const sc_core::sc_module_name& name, Cycle interval, int columns, int rows, Progress progress);
+  /// It has no latency: nothing waits for what it stores.
+  FrameBuffer(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
   const Image& image() const { return image_; }
   std::size_t stored() const { return stored_; }  ///< pixels

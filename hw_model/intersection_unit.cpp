@@ -3,9 +3,12 @@
 
 namespace pyrasim::hw {
 
-IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, Cycle latency, const IntersectionCost& cost,
-                                   const Intersector& intersector, bool count_events)
-    : StageOf(name), latency_(latency), cost_(cost), intersector_(intersector), count_events_(count_events) {}
+IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, const FrameSetup& frame)
+    : StageOf(name),
+      latency_(frame.spec.intersection_latency),
+      cost_(frame.spec.intersection_cost),
+      intersector_(frame.intersector),
+      count_events_(frame.options.formats.counts_events()) {}
 
 Cycle IntersectionUnit::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();

@@ -4,8 +4,8 @@
 #include "hw_model/fifo/fifo_port.h"
 #include "hw_model/fifo/fifo_reader.h"
 #include "hw_model/fifo/fifo_writer.h"
-#include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/plan/frame_setup.h"
 #include "hw_model/stage/stage_of.h"
 #include "intersect/corners_ahead.h"
 #include "intersect/datapath_formats.h"
@@ -20,8 +20,7 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   FifoPort<RayMessage> view_vector_generator{"view_vector_generator"};
   FifoPort<SampleMessage> pyramid_classifier{"pyramid_classifier"};
 
-  IntersectionUnit(const sc_core::sc_module_name& name, Cycle latency, const IntersectionCost& cost,
-                   const Intersector& intersector, bool count_events);
+  IntersectionUnit(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
   const Work& work() const { return work_; }
   /// Of the arithmetic, where the constructor was told to count; costs a little.

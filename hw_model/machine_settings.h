@@ -7,13 +7,15 @@
 #include <string_view>
 
 #include "hw_model/machine_spec.h"
+#include "hw_model/plan/wire_list.h"
 #include "json/json_reader.h"
 
 namespace pyrasim::hw {
 
 /// visit(path, setting, allowed) for every setting but the name. `path` is that of --set, "intersection.cost.ray";
 /// `allowed` is an IntegerRange for Cycle and std::size_t, a NumberRange for double, and the names for an enumeration.
-/// Spec: MachineSpec, or const. A new setting is a line here, one in machine_spec.h and one in the schema.
+/// Spec: MachineSpec, or const. A new setting is a line here (the depth of a FIFO: in plan/wire_list.h), one in
+/// machine_spec.h and one in the schema.
 template <class Spec, class Visit>
 void for_each_setting(Spec& spec, const Visit& visit) {
   constexpr IntegerRange cycles{1, 1'000'000};
@@ -42,19 +44,13 @@ void for_each_setting(Spec& spec, const Visit& visit) {
   visit("pyramid_classifier.line_buffer", spec.line_buffer, IntegerRange{3, 65'537});
   stage("subdivision_controller", spec.subdivision_controller);
   visit("subdivision_controller.pool", spec.subdivision_pool, IntegerRange{0, 1'000'000});
+  stage("color_unit", spec.color_unit);
   stage("tree_accumulator", spec.tree_accumulator);
   visit("tree_accumulator.pixels", spec.pixels_in_flight, IntegerRange{1, 1'000'000});
   visit("frame_buffer.interval", spec.frame_buffer_interval, cycles);
-  auto& fifos = spec.fifos;
-  const auto fifo = [&](const char* name, auto& setting) { visit(std::string("fifos.") + name, setting, depth); };
-  fifo("pixel_scan_to_view_vector_generator", fifos.pixel_scan_to_view_vector_generator);
-  fifo("view_vector_generator_to_intersection_unit", fifos.view_vector_generator_to_intersection_unit);
-  fifo("intersection_unit_to_pyramid_classifier", fifos.intersection_unit_to_pyramid_classifier);
-  fifo("pyramid_classifier_to_subdivision_controller", fifos.pyramid_classifier_to_subdivision_controller);
-  fifo("subdivision_controller_to_view_vector_generator", fifos.subdivision_controller_to_view_vector_generator);
-  fifo("subdivision_controller_to_pyramid_classifier", fifos.subdivision_controller_to_pyramid_classifier);
-  fifo("pyramid_classifier_to_tree_accumulator", fifos.pyramid_classifier_to_tree_accumulator);
-  fifo("tree_accumulator_to_frame_buffer", fifos.tree_accumulator_to_frame_buffer);
+  for_each_wire([&](const auto& wire) {
+    if (wire.depth != nullptr) visit("fifos." + name_of(wire), spec.fifos.*wire.depth, depth);
+  });
 }
 
 /// A machine file that says every setting: {"clock_mhz": 200, "intersection": {"units": 4, ...}, ...}, the name left

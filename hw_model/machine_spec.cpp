@@ -73,6 +73,8 @@ constexpr std::array former_keys{
               "remove it; allowed keys: interval"},
     FormerKey{"intersection", "reorder_buffer", "has another name now", "issue_order_queue is allowed"},
     FormerKey{"pyramid_classifier", "corner_row", "has another name now", "line_buffer is allowed"},
+    FormerKey{"fifos", "pyramid_classifier_to_tree_accumulator", "the colour unit stands between the two now",
+              "pyramid_classifier_to_color_unit and color_unit_to_tree_accumulator are allowed"},
 };
 
 void refuse_former_keys(const JsonReader& root) {

@@ -56,7 +56,8 @@ struct FifoDepths {
   std::size_t pyramid_classifier_to_subdivision_controller = 8;
   std::size_t subdivision_controller_to_view_vector_generator = 8;
   std::size_t subdivision_controller_to_pyramid_classifier = 32;
-  std::size_t pyramid_classifier_to_tree_accumulator = 8;
+  std::size_t pyramid_classifier_to_color_unit = 8;
+  std::size_t color_unit_to_tree_accumulator = 8;
   std::size_t tree_accumulator_to_frame_buffer = 8;
   friend bool operator==(const FifoDepths&, const FifoDepths&) = default;
 };
@@ -78,6 +79,7 @@ struct MachineSpec {
   std::size_t line_buffer = 65'537;  ///< corner samples that the classifier can hold: a row and one more
   StageTiming subdivision_controller{.latency = 2};
   std::size_t subdivision_pool = 64;  ///< subpixels that the controller can hold for subdivision
+  StageTiming color_unit;
   StageTiming tree_accumulator{.latency = 2};
   std::size_t pixels_in_flight = 256;  ///< trace trees that the accumulator can sum at once
   Cycle frame_buffer_interval = 1;

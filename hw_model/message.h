@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "hw_model/cycle.h"
-#include "pyramid/pyramid.h"
+#include "pyramid/classifier.h"
 #include "pyramid/terminal_color.h"
 
 namespace pyrasim::hw {
@@ -64,7 +64,16 @@ struct NodeMessage {
   bool closes_family = false;  ///< the last message about the four subpixels of one request
 };
 
+/// A terminal node: what its corners saw, and where it lies.
 struct TerminalMessage {
+  Pyramid pyramid;
+  PixelTag tag;
+  CornerSamples corners;
+  PyramidCase which;
+};
+
+/// The colour of a terminal node of `level`.
+struct ColorMessage {
   FixedColor color;
   PixelTag tag;
   std::uint32_t level;

@@ -3,13 +3,13 @@
 
 namespace pyrasim::hw {
 
-PixelScan::PixelScan(const sc_core::sc_module_name& name, StageTiming timing, const PixelWindow& window, int max_level)
+PixelScan::PixelScan(const sc_core::sc_module_name& name, const FrameSetup& frame)
     : StageOf(name),
-      timing_(timing),
-      window_(window),
-      rows_(static_cast<std::uint32_t>(window.rows)),
-      columns_(static_cast<std::uint32_t>(window.columns)),
-      max_level_(max_level) {}
+      timing_(frame.spec.pixel_scan),
+      window_(frame.window),
+      rows_(static_cast<std::uint32_t>(window_.rows)),
+      columns_(static_cast<std::uint32_t>(window_.columns)),
+      max_level_(frame.options.max_level) {}
 
 PixelScan::Plan PixelScan::next(const Ends& ends, Cycle ready) const {
   if (row_ > rows_) return {Start(never)};

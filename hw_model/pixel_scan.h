@@ -4,8 +4,8 @@
 #include "hw_model/fifo/fifo_port.h"
 #include "hw_model/fifo/fifo_reader.h"
 #include "hw_model/fifo/fifo_writer.h"
-#include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/plan/frame_setup.h"
 #include "hw_model/stage/stage_of.h"
 #include "scene/scene.h"
 
@@ -19,7 +19,7 @@ class PixelScan final : public StageOf<PixelScan> {
   FifoPort<SlotCredit> tree_accumulator{"tree_accumulator"};
   FifoPort<CornerRequest> view_vector_generator{"view_vector_generator"};
 
-  PixelScan(const sc_core::sc_module_name& name, StageTiming timing, const PixelWindow& window, int max_level);
+  PixelScan(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
  private:
   friend StageOf;

@@ -19,45 +19,42 @@ MachineSpec checked(const MachineSpec& spec, const Scene& scene, const Simulatio
   return spec;
 }
 
+template <class Message, sc_core::sc_port_policy policy>
+void bind_port(FifoPort<Message, policy>& port, std::size_t, Fifo<Message>& fifo) {
+  port(fifo);
+}
+/// One of several: that for the neighbour of that number.
+template <class Message>
+void bind_port(FifoPorts<Message>& ports, std::size_t number, Fifo<Message>& fifo) {
+  ports.port(number)(fifo);
+}
+
 }  // namespace
 
 Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, const MachineSpec& spec,
                      const SimulationOptions& options)
     : sc_module(name),
       max_cycles_(std::min(options.max_cycles, longest_frame)),
-      control_{max_cycles_, [this] { frame_buffer_.report(); }},
+      control_{max_cycles_, [this] { the<FrameBuffer>().report(); }},
       spec_(checked(spec, scene, options)),
       window_(scene.camera.rendered()),
       formats_(options.formats),
       intersector_(options.intersector ? options.intersector : make_intersector(scene, formats_.intersection)),
       view_vectors_(scene.camera.screen, std::int64_t{1} << options.max_level, formats_.view_vectors),
-      contents_(intersector_->contents()),
-      pixel_scan_("pixel_scan", spec.pixel_scan, window_, options.max_level),
-      view_vector_generator_("view_vector_generator", spec.view_vector_generator, spec.intersection_units,
-                             spec.dispatch, view_vectors_, formats_.counts_events(), options.max_level),
-      pyramid_classifier_("pyramid_classifier", spec.pyramid_classifier, spec.intersection_units, scene, options.edge,
-                          options.max_level),
-      tree_accumulator_("tree_accumulator", spec.tree_accumulator, spec.pixels_in_flight, options.max_level),
-      frame_buffer_("frame_buffer", spec.frame_buffer_interval, window_.columns, window_.rows,
-                    stopping(options.progress)) {
-  for (std::size_t k = 0; k < spec.intersection_units; ++k) {
-    intersection_units_.push_back(std::make_unique<IntersectionUnit>(fmt::format("intersection_unit_{}", k).c_str(),
-                                                                     spec.intersection_latency, spec.intersection_cost,
-                                                                     *intersector_, formats_.counts_events()));
-  }
-  if (options.max_level > 0 && !scene.objects.empty()) {
-    controller_ = std::make_unique<SubdivisionController>("subdivision_controller", spec.subdivision_controller,
-                                                          spec.subdivision_pool, options.max_level);
-  }
-  bind();
-  list_omitted();
+      contents_(intersector_->contents()) {
+  const FrameSetup frame{spec_, scene, options, window_, *intersector_, view_vectors_, stopping(options.progress)};
+  for_each_stage([&](const auto& plan) { build(plan, frame); });
+  for_each_wire([&](const auto& plan) { connect(plan); });
+  Fifo<SlotCredit>& slots = *the<PixelScan>().tree_accumulator;
+  for (std::uint32_t slot = 0; slot < slots.depth(); ++slot) slots.preload({slot});
+  list_omitted_testers();
   if (options.engine == Engine::lockstep) {
     for (Stage* stage : stages_) stage->run_in_lockstep(control_);
     return;
   }
-  DecoupledEngine::Boxes boxes{pixel_scan_,       view_vector_generator_, {},
-                               controller_.get(), tree_accumulator_,      frame_buffer_};
-  for (const auto& unit : intersection_units_) boxes.units.push_back(unit.get());
+  DecoupledEngine::Boxes boxes{the<PixelScan>(), the<ViewVectorGenerator>(), {}, optional<SubdivisionController>(),
+                               the<ColorUnit>(), the<FrameBuffer>()};
+  for (const auto& unit : all<IntersectionUnit>()) boxes.units.push_back(unit.get());
   engine_ = std::make_unique<DecoupledEngine>(stages_, wires_, std::move(boxes), spec);
   sc_core::sc_spawn(
       [this, threads = options.threads] {
@@ -70,10 +67,10 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
 void Processor::run_decoupled(int threads) {
   std::optional<CornersAhead> corners;
   if (threads > 1 && !formats_.counts_events()) {
-    corners.emplace(*intersector_, view_vectors_, window_, std::uint32_t{1} << pyramid_classifier_.max_level(),
-                    intersection_units_.size() * spec_.fifos.view_vector_generator_to_intersection_unit);
+    corners.emplace(*intersector_, view_vectors_, window_, std::uint32_t{1} << the<PyramidClassifier>().max_level(),
+                    all<IntersectionUnit>().size() * spec_.fifos.view_vector_generator_to_intersection_unit);
   }
-  for (const auto& unit : intersection_units_) unit->take_corners(corners ? &*corners : nullptr);
+  for (const auto& unit : all<IntersectionUnit>()) unit->take_corners(corners ? &*corners : nullptr);
   engine_->run(control_, events_);
 }
 
@@ -97,77 +94,42 @@ Progress Processor::stopping(const Progress& progress) {
   };
 }
 
-template <class Message, class Writer, class Reader, class Out, class In>
-Fifo<Message>& Processor::connect(const char* name, std::size_t depth, Writer& writer, Out&& out, Reader& reader,
-                                  In&& in) {
-  auto fifo = std::make_unique<Fifo<Message>>(name, depth);
-  out(*fifo);
-  in(*fifo);
-  fifo->connect(writer, reader);
-  Fifo<Message>& channel = *fifo;
-  fifos_.push_back(&channel);
-  wires_.push_back({&channel, &writer, &reader});
-  channels_.push_back(std::move(fifo));
-  return channel;
+template <class Stage>
+void Processor::build(const StagePlan<Stage>& plan, const FrameSetup& frame) {
+  if (const std::string_view reason = plan.left_out(frame); !reason.empty()) {
+    omitted_.push_back({std::string(plan.name), std::string(reason)});
+    return;
+  }
+  const std::size_t copies = plan.copies == nullptr ? 1 : spec_.*plan.copies;
+  for (std::size_t k = 0; k < copies; ++k) {
+    auto stage = std::make_unique<Stage>(name_of<Stage>(k).c_str(), frame);
+    stages_.push_back(stage.get());
+    std::get<Built<Stage>>(built_).push_back(std::move(stage));
+  }
 }
 
-/// All of the machine's wires, in data-flow order.
-void Processor::bind() {
-  const FifoDepths& depths = spec_.fifos;
-  connect<CornerRequest>("pixel_scan_to_view_vector_generator", depths.pixel_scan_to_view_vector_generator, pixel_scan_,
-                         pixel_scan_.view_vector_generator, view_vector_generator_, view_vector_generator_.pixel_scan);
-  stages_ = {&pixel_scan_, &view_vector_generator_};
-  for (std::size_t k = 0; k < intersection_units_.size(); ++k) {
-    IntersectionUnit& unit = *intersection_units_[k];
-    connect<RayMessage>(fmt::format("view_vector_generator_to_intersection_unit_{}", k).c_str(),
-                        depths.view_vector_generator_to_intersection_unit, view_vector_generator_,
-                        view_vector_generator_.intersection_units.port(k), unit, unit.view_vector_generator);
-    connect<SampleMessage>(fmt::format("intersection_unit_{}_to_pyramid_classifier", k).c_str(),
-                           depths.intersection_unit_to_pyramid_classifier, unit, unit.pyramid_classifier,
-                           pyramid_classifier_, pyramid_classifier_.intersection_units.port(k));
-    stages_.push_back(&unit);
+template <class Out, class Writer, class In, class Reader>
+void Processor::connect(const WirePlan<Out, Writer, In, Reader>& plan) {
+  const auto& writers = all<Writer>();
+  const auto& readers = all<Reader>();
+  if (writers.empty() || readers.empty()) return;
+  if (plan.needed != nullptr && !(*writers.front().*plan.needed)()) return;
+  for (std::size_t k = 0; k < std::max(writers.size(), readers.size()); ++k) {
+    Writer& writer = *writers[k % writers.size()];
+    Reader& reader = *readers[k % readers.size()];
+    auto fifo = std::make_unique<Fifo<typename Out::Token>>(
+        fmt::format("{}_to_{}", name_of<Writer>(k), name_of<Reader>(k)).c_str(), plan.depth_on(spec_));
+    bind_port(writer.*plan.out, k, *fifo);
+    bind_port(reader.*plan.in, k, *fifo);
+    fifo->connect(writer, reader);
+    fifos_.push_back(fifo.get());
+    wires_.push_back({fifo.get(), &writer, &reader});
+    channels_.push_back(std::move(fifo));
   }
-  if (view_vector_generator_.chooses_unit()) {
-    connect<UnitNumber>("view_vector_generator_to_pyramid_classifier", spec_.issue_order_queue, view_vector_generator_,
-                        view_vector_generator_.issue_order_queue, pyramid_classifier_,
-                        pyramid_classifier_.issue_order_queue);
-  }
-  stages_.push_back(&pyramid_classifier_);
-  if (controller_) bind_controller();
-  connect<TerminalMessage>("pyramid_classifier_to_tree_accumulator", depths.pyramid_classifier_to_tree_accumulator,
-                           pyramid_classifier_, pyramid_classifier_.tree_accumulator, tree_accumulator_,
-                           tree_accumulator_.pyramid_classifier);
-  connect<PixelMessage>("tree_accumulator_to_frame_buffer", depths.tree_accumulator_to_frame_buffer, tree_accumulator_,
-                        tree_accumulator_.frame_buffer, frame_buffer_, frame_buffer_.tree_accumulator);
-  auto& credits = connect<SlotCredit>("tree_accumulator_to_pixel_scan", spec_.pixels_in_flight, tree_accumulator_,
-                                      tree_accumulator_.pixel_scan, pixel_scan_, pixel_scan_.tree_accumulator);
-  for (std::uint32_t slot = 0; slot < spec_.pixels_in_flight; ++slot) credits.preload({slot});
-  stages_.push_back(&tree_accumulator_);
-  stages_.push_back(&frame_buffer_);
 }
 
-void Processor::bind_controller() {
-  const FifoDepths& depths = spec_.fifos;
-  SubdivisionController& controller = *controller_;
-  connect<NodeMessage>("pyramid_classifier_to_subdivision_controller",
-                       depths.pyramid_classifier_to_subdivision_controller, pyramid_classifier_,
-                       pyramid_classifier_.subdivision_controller, controller, controller.pyramid_classifier);
-  connect<SubdivisionRequest>("subdivision_controller_to_view_vector_generator",
-                              depths.subdivision_controller_to_view_vector_generator, controller,
-                              controller.view_vector_generator, view_vector_generator_,
-                              view_vector_generator_.subdivision_controller);
-  connect<NodeMessage>("subdivision_controller_to_pyramid_classifier",
-                       depths.subdivision_controller_to_pyramid_classifier, controller, controller.parents,
-                       pyramid_classifier_, pyramid_classifier_.parents);
-  stages_.push_back(&controller);
-}
-
-void Processor::list_omitted() {
-  if (!controller_) {
-    omitted_.push_back({"subdivision_controller", pyramid_classifier_.max_level() == 0
-                                                      ? "MAX_LEVEL is 0: nothing is subdivided"
-                                                      : "the scene has no objects: nothing is subdivided"});
-  }
+/// Parts of the intersection units.
+void Processor::list_omitted_testers() {
   if (contents_.inner_nodes == 0) {
     omitted_.push_back({"intersection_unit.hierarchy_walker", "the scene has fewer than two bounded surfaces"});
   }
@@ -185,10 +147,10 @@ Cycle Processor::cycles() const {
 }
 
 FrameStatistics Processor::statistics() const {
-  FrameStatistics statistics = pyramid_classifier_.counts();
-  statistics.rays_by_level = view_vector_generator_.rays_by_level();
-  statistics.arithmetic.view_vectors = view_vector_generator_.events();
-  for (const auto& unit : intersection_units_) {
+  FrameStatistics statistics = the<PyramidClassifier>().counts();
+  statistics.rays_by_level = the<ViewVectorGenerator>().rays_by_level();
+  statistics.arithmetic.view_vectors = the<ViewVectorGenerator>().events();
+  for (const auto& unit : all<IntersectionUnit>()) {
     statistics.work += unit->work();
     statistics.arithmetic.intersection += unit->events();
   }

@@ -4,41 +4,19 @@
 
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "hw_model/decoupled_engine.h"
-#include "hw_model/frame_buffer.h"
-#include "hw_model/intersection_unit.h"
-#include "hw_model/machine_spec.h"
-#include "hw_model/pixel_scan.h"
-#include "hw_model/pyramid_classifier.h"
+#include "hw_model/plan/stage_list.h"
+#include "hw_model/plan/wire_list.h"
 #include "hw_model/run_control.h"
-#include "hw_model/subdivision_controller.h"
+#include "hw_model/simulation_options.h"
 #include "hw_model/trace/event_stream.h"
-#include "hw_model/tree_accumulator.h"
-#include "hw_model/view_vector_generator.h"
 #include "hw_model/wire.h"
 
 namespace pyrasim::hw {
-
-enum class Engine : std::uint8_t {
-  decoupled,  ///< stages run ahead in their own time; fast
-  lockstep,   ///< every advance of time is a wait on the SystemC kernel; slow, and the oracle
-};
-
-struct SimulationOptions {
-  int max_level = 3;
-  EdgePolicy edge = EdgePolicy::mean;
-  Engine engine = Engine::decoupled;
-  DatapathFormats formats;
-  /// Of the scene in formats.intersection; none: the machine makes its own.
-  std::shared_ptr<const Intersector> intersector;
-  Cycle max_cycles = never;   ///< the machine stops once it cannot end within so many
-  int threads = 1;            ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
-  bool check_machine = true;  ///< refuse a machine that cannot hold the frame; off only to see it deadlock
-  Progress progress;
-};
 
 /// A box of the block diagram that was left out, and why.
 struct OmittedUnit {
@@ -60,16 +38,16 @@ class Processor final : public sc_core::sc_module {
 
   /// Whether every pixel has been stored. If not once the simulation is over, the machine is deadlocked, or was stopped
   /// at max_cycles() or by its progress. See report/deadlock.h.
-  bool complete() const { return frame_buffer_.complete(); }
+  bool complete() const { return the<FrameBuffer>().complete(); }
   /// No frame is finished after it: options.max_cycles, or longest_frame.
   Cycle max_cycles() const { return max_cycles_; }
-  const FrameBuffer& frame_buffer() const { return frame_buffer_; }
+  const FrameBuffer& frame_buffer() const { return the<FrameBuffer>(); }
   /// Whether no stage can fire.
   bool at_rest() const;
 
   /// The frame's cycles: from 0 until the last pixel is stored and every stage is at rest.
   Cycle cycles() const;
-  const Image& image() const { return frame_buffer_.image(); }
+  const Image& image() const { return the<FrameBuffer>().image(); }
   FrameStatistics statistics() const;
 
   const MachineSpec& spec() const { return spec_; }
@@ -80,17 +58,38 @@ class Processor final : public sc_core::sc_module {
   const Wire& wire_of(const FifoBase& fifo) const;
   /// Row and column on the screen of a pixel that is numbered inside the window.
   std::pair<int, int> place_of(std::uint32_t pixel) const;
-  const TreeAccumulator& tree_accumulator() const { return tree_accumulator_; }
+  const TreeAccumulator& tree_accumulator() const { return the<TreeAccumulator>(); }
   const SceneContents& contents() const { return contents_; }
   const std::vector<OmittedUnit>& omitted() const { return omitted_; }
-  const SubdivisionController* controller() const { return controller_.get(); }
+  /// None where nothing is subdivided.
+  const SubdivisionController* controller() const { return optional<SubdivisionController>(); }
 
  private:
-  template <class Message, class Writer, class Reader, class Out, class In>
-  Fifo<Message>& connect(const char* name, std::size_t depth, Writer& writer, Out&& out, Reader& reader, In&& in);
-  void bind();
-  void bind_controller();
-  void list_omitted();
+  template <class Stage>
+  using Built = std::vector<std::unique_ptr<Stage>>;
+  template <class... Stage>
+  static std::tuple<Built<Stage>...> none_of(const std::tuple<StagePlan<Stage>...>& stages);
+
+  template <class Stage>
+  const Built<Stage>& all() const {
+    return std::get<Built<Stage>>(built_);
+  }
+  /// A stage of which there is one in every machine.
+  template <class Stage>
+  Stage& the() const {
+    return *all<Stage>().front();
+  }
+  /// A stage that is left out of some.
+  template <class Stage>
+  Stage* optional() const {
+    return all<Stage>().empty() ? nullptr : all<Stage>().front().get();
+  }
+
+  template <class Stage>
+  void build(const StagePlan<Stage>& plan, const FrameSetup& frame);
+  template <class Out, class Writer, class In, class Reader>
+  void connect(const WirePlan<Out, Writer, In, Reader>& plan);
+  void list_omitted_testers();
   Progress stopping(const Progress& progress);
   void run_decoupled(int threads);
 
@@ -102,13 +101,7 @@ class Processor final : public sc_core::sc_module {
   std::shared_ptr<const Intersector> intersector_;
   ViewVectors view_vectors_;
   SceneContents contents_;
-  PixelScan pixel_scan_;
-  ViewVectorGenerator view_vector_generator_;
-  std::vector<std::unique_ptr<IntersectionUnit>> intersection_units_;
-  PyramidClassifier pyramid_classifier_;
-  std::unique_ptr<SubdivisionController> controller_;  ///< none where nothing is subdivided
-  TreeAccumulator tree_accumulator_;
-  FrameBuffer frame_buffer_;
+  decltype(none_of(stage_list)) built_;
   std::vector<std::unique_ptr<FifoBase>> channels_;
   std::vector<Stage*> stages_;
   std::vector<FifoBase*> fifos_;

@@ -3,15 +3,12 @@
 
 namespace pyrasim::hw {
 
-PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units,
-                                     const Scene& scene, EdgePolicy edge, int max_level)
+PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, const FrameSetup& frame)
     : StageOf(name),
-      intersection_units("intersection_unit", units),
-      timing_(timing),
-      palette_(scene),
-      edge_policy_(edge),
-      max_level_(max_level),
-      window_(scene.camera.rendered()),
+      intersection_units("intersection_unit", frame.spec.intersection_units),
+      timing_(frame.spec.pyramid_classifier),
+      max_level_(frame.options.max_level),
+      window_(frame.window),
       columns_(static_cast<std::uint32_t>(window_.columns)),
       line_buffer_(static_cast<std::size_t>(columns_) + 1) {}
 
@@ -25,7 +22,7 @@ PyramidClassifier::Plan PyramidClassifier::next(const Ends& ends, Cycle ready) c
   if (plan.reads_parent) plan.start.needs_token(*parents);
   if (plan.node) {
     if (plan.node->to_controller()) plan.start.needs_room(*subdivision_controller);
-    if (!plan.node->subdivide) plan.start.needs_room(ends.tree_accumulator);
+    if (!plan.node->subdivide) plan.start.needs_room(ends.color_unit);
   }
   return plan;
 }
@@ -57,7 +54,6 @@ PyramidClassifier::Node::Node(const PyramidClassifier& classifier, const SampleM
               classifier.line_buffer_[classifier.column_ - 1], lower_right.sample},
       which(classify(corners)),
       subdivide(subdivides(which, 0, classifier.max_level_)) {
-  if (!subdivide) return;  // the address is of no use
   pyramid.corner = pixel_corner(classifier.window_, tag.pixel / classifier.columns_, tag.pixel % classifier.columns_,
                                 classifier.max_level_);
 }
@@ -117,10 +113,9 @@ void PyramidClassifier::emit(Ends& ends, const Node& node, Cycle now) {
   }
   if (node.subdivide) return;
   ++counts_.terminal_nodes;
-  ends.tree_accumulator.write_made(
+  ends.color_unit.write_made(
       [&] {
-        return TerminalMessage{palette_.terminal_color(node.which, node.corners, edge_policy_), node.tag,
-                               node.pyramid.level};
+        return TerminalMessage{node.pyramid, node.tag, node.corners, node.which};
       },
       now, timing_.latency);
 }

@@ -7,8 +7,8 @@
 #include "hw_model/fifo/fifo_port.h"
 #include "hw_model/fifo/fifo_ports.h"
 #include "hw_model/fifo/fifo_writer.h"
-#include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/plan/frame_setup.h"
 #include "hw_model/stage/stage_of.h"
 #include "render/frame_statistics.h"
 
@@ -19,17 +19,16 @@ namespace pyrasim::hw {
 ///
 /// A corner of the raster completes at most one pixel, with three corners from one line buffer. Of the five
 /// samples of a subdivision, the third completes the first subpixel, the fourth the second and the fifth the last two;
-/// so a family takes six firings. Terminal nodes go to the tree accumulator, nodes to subdivide to the controller.
+/// so a family takes six firings. Terminal nodes go to the colour unit, nodes to subdivide to the controller.
 class PyramidClassifier final : public StageOf<PyramidClassifier> {
  public:
   FifoPorts<SampleMessage> intersection_units;
   OptionalFifoPort<UnitNumber> issue_order_queue{"issue_order_queue"};  ///< from the generator; only under first_free
   OptionalFifoPort<NodeMessage> parents{"parents"};  ///< the nodes whose five samples are under way, in order
   OptionalFifoPort<NodeMessage> subdivision_controller{"subdivision_controller"};
-  FifoPort<TerminalMessage> tree_accumulator{"tree_accumulator"};
+  FifoPort<TerminalMessage> color_unit{"color_unit"};
 
-  PyramidClassifier(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, const Scene& scene,
-                    EdgePolicy edge, int max_level);
+  PyramidClassifier(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
   int max_level() const { return max_level_; }
   /// Counts of cases, subdivisions and terminal nodes.
@@ -62,9 +61,9 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
     std::optional<Node> node;  ///< that is complete
   };
   struct Ends {
-    FifoWriter<TerminalMessage> tree_accumulator;
+    FifoWriter<TerminalMessage> color_unit;
   };
-  Ends ends() const { return {FifoWriter(*tree_accumulator)}; }
+  Ends ends() const { return {FifoWriter(*color_unit)}; }
   Plan next(const Ends& ends, Cycle ready) const;
   Cycle fire(Ends& ends, const Plan& plan);
 
@@ -73,8 +72,6 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   void emit(Ends& ends, const Node& node, Cycle now);
 
   StageTiming timing_;
-  Palette palette_;
-  EdgePolicy edge_policy_;
   int max_level_;
   PixelWindow window_;
   std::uint32_t columns_;            ///< N_z of the window

@@ -6,9 +6,11 @@
 
 namespace pyrasim::hw {
 
-SubdivisionController::SubdivisionController(const sc_core::sc_module_name& name, StageTiming timing, std::size_t pool,
-                                             int max_level)
-    : StageOf(name), timing_(timing), pool_(pool), max_level_(max_level) {}
+SubdivisionController::SubdivisionController(const sc_core::sc_module_name& name, const FrameSetup& frame)
+    : StageOf(name),
+      timing_(frame.spec.subdivision_controller),
+      pool_(frame.spec.subdivision_pool),
+      max_level_(frame.options.max_level) {}
 
 SubdivisionController::Plan SubdivisionController::next(const Ends& ends, Cycle ready) const {
   const Start accept = Start(ready).needs_token(ends.pyramid_classifier);

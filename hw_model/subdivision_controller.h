@@ -8,8 +8,8 @@
 #include "hw_model/fifo/fifo_port.h"
 #include "hw_model/fifo/fifo_reader.h"
 #include "hw_model/fifo/fifo_writer.h"
-#include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/plan/frame_setup.h"
 #include "hw_model/stage/stage_of.h"
 
 namespace pyrasim::hw {
@@ -27,7 +27,7 @@ class SubdivisionController final : public StageOf<SubdivisionController> {
   FifoPort<SubdivisionRequest> view_vector_generator{"view_vector_generator"};
   FifoPort<NodeMessage> parents{"parents"};  ///< to the classifier, see there
 
-  SubdivisionController(const sc_core::sc_module_name& name, StageTiming timing, std::size_t pool, int max_level);
+  SubdivisionController(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
   bool chooses_by_arrival() const override { return true; }
 

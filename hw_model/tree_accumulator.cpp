@@ -5,24 +5,26 @@
 
 namespace pyrasim::hw {
 
-TreeAccumulator::TreeAccumulator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t slots,
-                                 int max_level)
-    : StageOf(name), timing_(timing), max_level_(max_level), slots_(slots) {}
+TreeAccumulator::TreeAccumulator(const sc_core::sc_module_name& name, const FrameSetup& frame)
+    : StageOf(name),
+      timing_(frame.spec.tree_accumulator),
+      max_level_(frame.options.max_level),
+      slots_(frame.spec.pixels_in_flight) {}
 
-bool TreeAccumulator::completes(const TerminalMessage& node) const {
+bool TreeAccumulator::completes(const ColorMessage& node) const {
   return node.level == 0 || slots_[node.tag.slot].tree.completed_by(node.level, max_level_);
 }
 
 TreeAccumulator::Plan TreeAccumulator::next(const Ends& ends, Cycle ready) const {
-  Start start = Start(ready).needs_token(ends.pyramid_classifier);
+  Start start = Start(ready).needs_token(ends.color_unit);
   if (!start.known()) return {start};
-  if (completes(ends.pyramid_classifier.front())) start.needs_room(ends.frame_buffer).needs_room(ends.pixel_scan);
+  if (completes(ends.color_unit.front())) start.needs_room(ends.frame_buffer).needs_room(ends.pixel_scan);
   return {start};
 }
 
 Cycle TreeAccumulator::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();
-  const TerminalMessage& node = ends.pyramid_classifier.front();
+  const ColorMessage& node = ends.color_unit.front();
   if (node.level == 0) {
     finish(node.tag, 0, single_node_result(node.color), ends, now);
   } else {
@@ -35,7 +37,7 @@ Cycle TreeAccumulator::fire(Ends& ends, const Plan& plan) {
       deepest = 0;
     }
   }
-  ends.pyramid_classifier.pop(now);
+  ends.color_unit.pop(now);
   return timing_.interval;
 }
 

@@ -8,8 +8,8 @@
 #include "hw_model/fifo/fifo_reader.h"
 #include "hw_model/fifo/fifo_writer.h"
 #include "hw_model/latency_histogram.h"
-#include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/plan/frame_setup.h"
 #include "hw_model/slowest_pixels.h"
 #include "hw_model/stage/stage_of.h"
 #include "pyramid/trace_tree.h"
@@ -20,11 +20,11 @@ namespace pyrasim::hw {
 /// frame buffer, and its slot back to the pixel scan.
 class TreeAccumulator final : public StageOf<TreeAccumulator> {
  public:
-  FifoPort<TerminalMessage> pyramid_classifier{"pyramid_classifier"};
+  FifoPort<ColorMessage> color_unit{"color_unit"};
   FifoPort<PixelMessage> frame_buffer{"frame_buffer"};
   FifoPort<SlotCredit> pixel_scan{"pixel_scan"};
 
-  TreeAccumulator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t slots, int max_level);
+  TreeAccumulator(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
   /// Cycles from the scan's sending of a pixel's last corner to its colour being visible to the frame buffer; by the
   /// deepest level of the pixel's trace tree.
@@ -38,14 +38,14 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
     Start start;
   };
   struct Ends {
-    FifoReader<TerminalMessage> pyramid_classifier;
+    FifoReader<ColorMessage> color_unit;
     FifoWriter<PixelMessage> frame_buffer;
     FifoWriter<SlotCredit> pixel_scan;
   };
-  Ends ends() const { return {FifoReader(*pyramid_classifier), FifoWriter(*frame_buffer), FifoWriter(*pixel_scan)}; }
+  Ends ends() const { return {FifoReader(*color_unit), FifoWriter(*frame_buffer), FifoWriter(*pixel_scan)}; }
   Plan next(const Ends& ends, Cycle ready) const;
   Cycle fire(Ends& ends, const Plan& plan);
-  bool completes(const TerminalMessage& node) const;
+  bool completes(const ColorMessage& node) const;
   void finish(const PixelTag& tag, std::uint32_t deepest, const glm::vec3& color, Ends& ends, Cycle now);
 
   StageTiming timing_;

@@ -3,16 +3,14 @@
 
 namespace pyrasim::hw {
 
-ViewVectorGenerator::ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units,
-                                         Dispatch dispatch, const ViewVectors& view_vectors, bool count_events,
-                                         int max_level)
+ViewVectorGenerator::ViewVectorGenerator(const sc_core::sc_module_name& name, const FrameSetup& frame)
     : StageOf(name),
-      intersection_units("intersection_unit", units),
-      timing_(timing),
-      dispatch_(units == 1 ? Dispatch::round_robin : dispatch),
-      view_vectors_(view_vectors),
-      count_events_(count_events),
-      max_level_(max_level) {}
+      intersection_units("intersection_unit", frame.spec.intersection_units),
+      timing_(frame.spec.view_vector_generator),
+      dispatch_(intersection_units.size() == 1 ? Dispatch::round_robin : frame.spec.dispatch),
+      view_vectors_(frame.view_vectors),
+      count_events_(frame.options.formats.counts_events()),
+      max_level_(frame.options.max_level) {}
 
 ViewVectorGenerator::Plan ViewVectorGenerator::next(const Ends& ends, Cycle ready) const {
   Start start(ready);

@@ -7,8 +7,8 @@
 #include "hw_model/fifo/fifo_port.h"
 #include "hw_model/fifo/fifo_ports.h"
 #include "hw_model/fifo/fifo_reader.h"
-#include "hw_model/machine_spec.h"
 #include "hw_model/message.h"
+#include "hw_model/plan/frame_setup.h"
 #include "hw_model/stage/stage_of.h"
 #include "intersect/datapath_formats.h"
 
@@ -24,8 +24,7 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   FifoPorts<RayMessage> intersection_units;
   OptionalFifoPort<UnitNumber> issue_order_queue{"issue_order_queue"};  ///< to the classifier; only under first_free
 
-  ViewVectorGenerator(const sc_core::sc_module_name& name, StageTiming timing, std::size_t units, Dispatch dispatch,
-                      const ViewVectors& view_vectors, bool count_events, int max_level);
+  ViewVectorGenerator(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
   bool chooses_by_arrival() const override { return true; }
 

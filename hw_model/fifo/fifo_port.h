@@ -11,6 +11,7 @@ namespace pyrasim::hw {
 template <class Message, sc_core::sc_port_policy Policy = sc_core::SC_ONE_OR_MORE_BOUND>
 class FifoPort : public sc_core::sc_port<Fifo<Message>, 1, Policy> {
  public:
+  using Token = Message;
   using sc_core::sc_port<Fifo<Message>, 1, Policy>::sc_port;
 
   void operator()(Fifo<Message>& fifo) {

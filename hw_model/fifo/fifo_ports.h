@@ -14,6 +14,8 @@ namespace pyrasim::hw {
 template <class Message>
 class FifoPorts {
  public:
+  using Token = Message;
+
   FifoPorts(const char* name, std::size_t size) : ports_(name, size), fifos_(size) {}
 
   std::size_t size() const { return fifos_.size(); }

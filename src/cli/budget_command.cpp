@@ -221,6 +221,7 @@ void add_budget_command(const Command& program) {
   add_frame_options(command, options->frame);
   add_scalar_option(command, options->frame.scalar);
   options->machine.add(command);
+  options->machine.add_limit(command);
   command.add_number("--fps", options->fps, 0.001, 1e6, "frames per second to reach; the machine's goal without it")
       .type_name("F");
   command.add_text("--stats", options->stats, "the result as JSON; - for stdout").type_name("FILE|-");

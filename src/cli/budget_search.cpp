@@ -5,12 +5,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
+#include <type_traits>
 
 #include "cli/run_apart.h"
 #include "cli/run_simulation.h"
+#include "hw_model/machine_settings.h"
 #include "hw_model/report/bottleneck.h"
 #include "hw_model/report/deadlock.h"
 
@@ -90,19 +91,15 @@ BudgetSetting size_setting(const Screen& asked) {
           .value = value};
 }
 
-/// The stages that have an interval, by name.
+/// None where the unit has none.
 hw::Cycle* interval_of(hw::MachineSpec& spec, const std::string& unit) {
-  const std::array<std::pair<const char*, hw::Cycle*>, 6> intervals{
-      {{"pixel_scan", &spec.pixel_scan.interval},
-       {"view_vector_generator", &spec.view_vector_generator.interval},
-       {"pyramid_classifier", &spec.pyramid_classifier.interval},
-       {"subdivision_controller", &spec.subdivision_controller.interval},
-       {"tree_accumulator", &spec.tree_accumulator.interval},
-       {"frame_buffer", &spec.frame_buffer_interval}}};
-  for (const auto& [name, interval] : intervals) {
-    if (unit == name) return interval;
-  }
-  return nullptr;
+  hw::Cycle* interval = nullptr;
+  hw::for_each_setting(spec, [&](const std::string& path, auto& setting, const auto&) {
+    if constexpr (std::is_same_v<decltype(setting), hw::Cycle&>) {
+      if (path == unit + ".interval") interval = &setting;
+    }
+  });
+  return interval;
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ void add_sweep_command(const Command& program);
 void add_study_command(const Command& program);
 void add_budget_command(const Command& program);
 void add_check_command(const Command& program);
+void add_diagram_command(const Command& program);
 void add_level_command(const Command& program);
 void add_compare_command(const Command& program);
 void add_formats_command(const Command& program);
@@ -54,6 +55,7 @@ struct FrameOptions {
 void add_frame_options(const Command& command, FrameOptions& options);
 void add_scalar_option(const Command& command, std::string& scalar);
 void add_window_option(const Command& command, FrameOptions& options);
+void add_max_level_option(const Command& command, std::string& max_level);
 void add_edge_option(const Command& command, EdgePolicy& edge);
 
 /// What the loader has to remark on a scene, on stderr, a line each.

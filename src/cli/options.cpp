@@ -35,10 +35,14 @@ void add_frame_options(const Command& command, FrameOptions& options) {
   command.add_text("SCENE", options.scene, "scene file (JSON)").required();
   command.add_text("--size", options.size, "pixels of the screen; its width, distance and the pixel's aspect stay")
       .type_name("COLUMNSxROWS");
-  command.add_text("--max-level", options.max_level, "deepest level of subdivision, or auto: what the eye can tell")
+  add_max_level_option(command, options.max_level);
+  add_edge_option(command, options.edge);
+}
+
+void add_max_level_option(const Command& command, std::string& max_level) {
+  command.add_text("--max-level", max_level, "deepest level of subdivision, or auto: what the eye can tell")
       .type_name("L|auto")
       .show_default();
-  add_edge_option(command, options.edge);
 }
 
 void add_edge_option(const Command& command, EdgePolicy& edge) {

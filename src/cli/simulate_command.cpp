@@ -87,6 +87,7 @@ void add_simulate_command(const Command& program) {
   add_scalar_option(command, options->frame.scalar);
   options->image.add(command);
   options->machine.add(command);
+  options->machine.add_limit(command);
   command.add_choice<hw::Engine>("--engine", options->engine,
                                  {{"decoupled", hw::Engine::decoupled}, {"lockstep", hw::Engine::lockstep}},
                                  "decoupled is fast; lockstep is plain SystemC, with the same cycles");

@@ -186,6 +186,7 @@ void add_study_command(const Command& program) {
   command.add_text("--formats", options->formats, "formats to study; all that pyrasim formats lists without it")
       .type_name("FORMAT,...");
   options->machine.add(command);
+  options->machine.add_limit(command);
   command.add_integer("--threads", options->threads, 0, 1024, "0: one for each core; results do not depend on it")
       .show_default();
   command.add_text("--csv", options->csv, "the rows with every count as CSV; - for stdout").type_name("FILE|-");

@@ -292,6 +292,7 @@ void add_sweep_command(const Command& program) {
   options->machine.add(command, "=VALUE,...",
                        "a setting over the machine file's, or each of several values, as in intersection.units=1,2,4; "
                        "repeatable");
+  options->machine.add_limit(command);
   command.add_text("--csv", options->csv, "the rows as CSV; - for stdout").type_name("FILE|-");
   command
       .add_text("--resume", options->resumed,

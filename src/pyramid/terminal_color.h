@@ -23,7 +23,7 @@ enum class EdgePolicy : std::uint8_t {
 using FixedColor = std::array<std::int64_t, 3>;
 inline constexpr int fixed_color_bits = 50;
 
-/// The scene's colours as the classifier holds them.
+/// The scene's colours as the colour unit holds them.
 class Palette {
  public:
   explicit Palette(const Scene& scene) {

@@ -77,7 +77,7 @@ class Agreement(tool.EndToEnd):
                     "tree_accumulator.interval": 5, "frame_buffer.interval": 13,
                     "tree_accumulator.pixels": 2, "fifos.all": 1, "fifos.pixel_scan_to_view_vector_generator": 2,
                     "fifos.intersection_unit_to_pyramid_classifier": 3,
-                    "fifos.pyramid_classifier_to_tree_accumulator": 9, "fifos.tree_accumulator_to_frame_buffer": 3}),
+                    "fifos.pyramid_classifier_to_color_unit": 9, "fifos.tree_accumulator_to_frame_buffer": 3}),
                 ("fins.json", "14x4", 4, {
                     "intersection.units": 5, "intersection.latency": 1, "intersection.cost.box_test": 0,
                     "intersection.cost.sphere": 1, "intersection.cost.triangle": 5, "pixel_scan.latency": 2,
@@ -87,7 +87,7 @@ class Agreement(tool.EndToEnd):
                     "tree_accumulator.pixels": 3, "fifos.all": 1, "fifos.pixel_scan_to_view_vector_generator": 2,
                     "fifos.view_vector_generator_to_intersection_unit": 3,
                     "fifos.pyramid_classifier_to_subdivision_controller": 3,
-                    "fifos.pyramid_classifier_to_tree_accumulator": 2})):
+                    "fifos.pyramid_classifier_to_color_unit": 2})):
             command = ["simulate", SCENES / scene, "--size", size, "--max-level", level]
             for path, value in settings.items():
                 command += ["--set", f"{path}={value}"]

@@ -177,7 +177,10 @@ class Commands(tool.EndToEnd):
                           ("--set=intersection.reorder_buffer=8",
                            "/intersection/reorder_buffer: has another name now; issue_order_queue is allowed"),
                           ("--set=pyramid_classifier.corner_row=9",
-                           "/pyramid_classifier/corner_row: has another name now; line_buffer is allowed")):
+                           "/pyramid_classifier/corner_row: has another name now; line_buffer is allowed"),
+                          ("--set=fifos.pyramid_classifier_to_tree_accumulator=9",
+                           "/fifos/pyramid_classifier_to_tree_accumulator: the colour unit stands between the two now; "
+                           "pyramid_classifier_to_color_unit and color_unit_to_tree_accumulator are allowed")):
             self.refused(USAGE, "simulate", KEEL, then, says=now)
         for option, value in (("--max-level", "3:1"), ("--max-level", "0:17"), ("--max-level", "1,,2"), ("--edge", "x"),
                               ("--edge", "mean,"), ("--size", "8x6,"), ("--size", "0x1")):

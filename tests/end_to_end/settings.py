@@ -135,7 +135,7 @@ class Settings(tool.EndToEnd):
         scene = self.write("scene.json", SCENE)
         for options, title in (([], "default"), (["--set", "intersection.units=4"], "default"),
                                (["--set", "intersection.units=5"], "default + 1 setting"),
-                               (["--set", "fifos.all=3", "--set", "clock_mhz=10"], "default + 9 settings"),
+                               (["--set", "fifos.all=3", "--set", "clock_mhz=10"], "default + 10 settings"),
                                (["--machine", tool.MACHINES / "wide.json", "--set", "goal_fps=3"], "wide + 1 setting")):
             self.assertIn(f" on machine {title}\n", self.ok("simulate", scene, *options))
 

@@ -89,7 +89,8 @@ struct Board {
                                     spec.subdivision_controller.latency};
   Fifo<NodeMessage> parents{spec.fifos.subdivision_controller_to_pyramid_classifier,
                             spec.subdivision_controller.latency};
-  Fifo<TerminalMessage> terminals{spec.fifos.pyramid_classifier_to_tree_accumulator, spec.pyramid_classifier.latency};
+  Fifo<TerminalMessage> terminals{spec.fifos.pyramid_classifier_to_color_unit, spec.pyramid_classifier.latency};
+  Fifo<ColorMessage> colors{spec.fifos.color_unit_to_tree_accumulator, spec.color_unit.latency};
   Fifo<PixelMessage> pixels{spec.fifos.tree_accumulator_to_frame_buffer, spec.tree_accumulator.latency};
   Fifo<SlotCredit> slots{spec.pixels_in_flight, spec.tree_accumulator.latency};
 };
@@ -257,7 +258,7 @@ struct PyramidClassifier final : Box {
     if (to_controller && !board.nodes.has_room()) return false;
     if (!node.subdivide && !board.terminals.has_room()) return false;
     if (to_controller) board.nodes.write(now, node);
-    if (!node.subdivide) board.terminals.write(now, {{}, node.tag, node.pyramid.level});
+    if (!node.subdivide) board.terminals.write(now, {node.pyramid, node.tag, node.corners, classify(node.corners)});
     return true;
   }
 };
@@ -324,13 +325,25 @@ struct SubdivisionController final : Box {
   }
 };
 
+/// What the colour is does not matter to the dates.
+struct ColorUnit final : Box {
+  using Box::Box;
+
+  Cycle fire(Cycle now) override {
+    if (!board.terminals.readable(now) || !board.colors.has_room()) return 0;
+    const TerminalMessage node = board.terminals.read(now);
+    board.colors.write(now, {{}, node.tag, node.pyramid.level});
+    return board.spec.color_unit.interval;
+  }
+};
+
 struct TreeAccumulator final : Box {
   using Box::Box;
   std::map<std::uint32_t, std::uint64_t> area;  ///< summed so far, by slot, in units of 4^-MAX_LEVEL of the pixel
 
   Cycle fire(Cycle now) override {
-    if (!board.terminals.readable(now)) return 0;
-    const TerminalMessage& node = board.terminals.head();
+    if (!board.colors.readable(now)) return 0;
+    const ColorMessage& node = board.colors.head();
     const std::uint64_t sum = area[node.tag.slot] + (1ULL << 2 * (board.max_level - static_cast<int>(node.level)));
     const bool complete = sum == 1ULL << 2 * board.max_level;
     if (complete && !(board.pixels.has_room() && board.slots.has_room())) return 0;
@@ -339,7 +352,7 @@ struct TreeAccumulator final : Box {
       board.pixels.write(now, {node.tag.pixel, {}});
       board.slots.write(now, {node.tag.slot});
     }
-    board.terminals.read(now);
+    board.colors.read(now);
     return board.spec.tree_accumulator.interval;
   }
 };
@@ -359,7 +372,8 @@ struct FrameBuffer final : Box {
 /// The FIFOs that the machine has, by name.
 std::map<std::string, AnyFifo*> built_fifos(Board& board) {
   std::map<std::string, AnyFifo*> fifos{{"pixel_scan_to_view_vector_generator", &board.corners},
-                                        {"pyramid_classifier_to_tree_accumulator", &board.terminals},
+                                        {"pyramid_classifier_to_color_unit", &board.terminals},
+                                        {"color_unit_to_tree_accumulator", &board.colors},
                                         {"tree_accumulator_to_frame_buffer", &board.pixels},
                                         {"tree_accumulator_to_pixel_scan", &board.slots}};
   for (std::size_t k = 0; k < board.rays.size(); ++k) {
@@ -398,11 +412,12 @@ Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_lev
   ViewVectorGenerator generator(board);
   PyramidClassifier classifier(board);
   SubdivisionController controller(board);
+  ColorUnit color_unit(board);
   TreeAccumulator accumulator(board);
   FrameBuffer frame_buffer(board);
   std::deque<IntersectionUnit> units;
   for (std::size_t k = 0; k < spec.intersection_units; ++k) units.emplace_back(board, k);
-  std::vector<Box*> boxes{&scan, &generator, &classifier, &controller, &accumulator, &frame_buffer};
+  std::vector<Box*> boxes{&scan, &generator, &classifier, &controller, &color_unit, &accumulator, &frame_buffer};
   for (IntersectionUnit& unit : units) boxes.push_back(&unit);
   const std::map<std::string, AnyFifo*> fifos = built_fifos(board);
 

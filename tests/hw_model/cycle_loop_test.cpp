@@ -21,36 +21,39 @@ using Dates = std::vector<Cycle>;
 /// The default latencies, two units, and rays of 3 cycles. The four corners leave the scan at 0 to 3 and reach the
 /// generator (latency 4) at 1 to 4. Unit 0 starts the first at 1 + 4, the third when it is free again at 8; a sample
 /// can be read 3 + 8 - 1 after its ray's start: unit 0's at 15 and 18, unit 1's at 16 and 19. The fourth completes
-/// the pixel: from the classifier (latency 2) it comes to the accumulator at 21, from there to the frame buffer at 23.
+/// the pixel: from the classifier (latency 2) it comes to the colour unit at 21, from there (latency 1) to the
+/// accumulator at 22, and to the frame buffer at 24.
 TEST(CycleLoop, OnePixel) {
   MachineSpec spec;
   spec.intersection_units = 2;
   spec.intersection_cost.ray = 3;
-  const Timeline expected{24,
+  const Timeline expected{25,
                           {{"pixel_scan_to_view_vector_generator", {{0, 1, 2, 3}, {1, 2, 3, 4}}},
                            {"view_vector_generator_to_intersection_unit_0", {{1, 3}, {5, 8}}},
                            {"view_vector_generator_to_intersection_unit_1", {{2, 4}, {6, 9}}},
                            {"intersection_unit_0_to_pyramid_classifier", {{5, 8}, {15, 18}}},
                            {"intersection_unit_1_to_pyramid_classifier", {{6, 9}, {16, 19}}},
-                           {"pyramid_classifier_to_tree_accumulator", {{19}, {21}}},
-                           {"tree_accumulator_to_frame_buffer", {{21}, {23}}},
-                           {"tree_accumulator_to_pixel_scan", {{21}, {3}}}}};
+                           {"pyramid_classifier_to_color_unit", {{19}, {21}}},
+                           {"color_unit_to_tree_accumulator", {{21}, {22}}},
+                           {"tree_accumulator_to_frame_buffer", {{22}, {24}}},
+                           {"tree_accumulator_to_pixel_scan", {{22}, {3}}}}};
   EXPECT_EQ(FirstDifference(run_cycle_loop(empty_scene(1, 1, 1), spec, 3), expected).text(), "");
 }
 
 /// Two pixels, all FIFOs of depth 1 and one slot. A cell read at t is free from t + 1: a token every other cycle. The
-/// fifth corner takes the slot at 8. The sixth waits for it until the accumulator, at 12, has given it back.
+/// fifth corner takes the slot at 8. The sixth waits for it until the accumulator, at 13, has given it back.
 TEST(CycleLoop, TwoPixelsWithOneSlotThroughSingleCells) {
   MachineSpec spec = with_all_fifos(quick_machine(), 1);
   spec.pixels_in_flight = 1;
   const Timeline expected{
-      19,
-      {{"pixel_scan_to_view_vector_generator", {{0, 2, 4, 6, 8, 13}, {1, 3, 5, 7, 9, 14}}},
-       {"view_vector_generator_to_intersection_unit_0", {{1, 3, 5, 7, 9, 14}, {2, 4, 6, 8, 10, 15}}},
-       {"intersection_unit_0_to_pyramid_classifier", {{2, 4, 6, 8, 10, 15}, {3, 5, 7, 9, 11, 16}}},
-       {"pyramid_classifier_to_tree_accumulator", {{11, 16}, {12, 17}}},
-       {"tree_accumulator_to_frame_buffer", {{12, 17}, {13, 18}}},
-       {"tree_accumulator_to_pixel_scan", {{12, 17}, {8, 13}}}}};
+      21,
+      {{"pixel_scan_to_view_vector_generator", {{0, 2, 4, 6, 8, 14}, {1, 3, 5, 7, 9, 15}}},
+       {"view_vector_generator_to_intersection_unit_0", {{1, 3, 5, 7, 9, 15}, {2, 4, 6, 8, 10, 16}}},
+       {"intersection_unit_0_to_pyramid_classifier", {{2, 4, 6, 8, 10, 16}, {3, 5, 7, 9, 11, 17}}},
+       {"pyramid_classifier_to_color_unit", {{11, 17}, {12, 18}}},
+       {"color_unit_to_tree_accumulator", {{12, 18}, {13, 19}}},
+       {"tree_accumulator_to_frame_buffer", {{13, 19}, {14, 20}}},
+       {"tree_accumulator_to_pixel_scan", {{13, 19}, {8, 14}}}}};
   EXPECT_EQ(FirstDifference(run_cycle_loop(empty_scene(2, 1, 1), spec, 3), expected).text(), "");
 }
 
@@ -67,16 +70,17 @@ TEST(CycleLoop, OnePixelSplitTwice) {
   const Dates starts{2, 3, 4, 5, 10, 11, 12, 13, 14, 17, 18, 19, 20, 21};
   const Dates samples{3, 4, 5, 6, 11, 12, 13, 14, 15, 18, 19, 20, 21, 22};
   const Timeline expected{
-      26,
+      27,
       {{"pixel_scan_to_view_vector_generator", {{0, 1, 2, 3}, {1, 2, 3, 4}}},
        {"view_vector_generator_to_intersection_unit_0", {rays, starts}},
        {"intersection_unit_0_to_pyramid_classifier", {starts, samples}},
        {"pyramid_classifier_to_subdivision_controller", {{6, 13, 16}, {7, 14, 17}}},
        {"subdivision_controller_to_view_vector_generator", {{8, 15}, {9, 16}}},
        {"subdivision_controller_to_pyramid_classifier", {{8, 15}, {11, 18}}},
-       {"pyramid_classifier_to_tree_accumulator", {{14, 15, 16, 20, 21, 22, 23}, {15, 16, 17, 21, 22, 23, 24}}},
-       {"tree_accumulator_to_frame_buffer", {{24}, {25}}},
-       {"tree_accumulator_to_pixel_scan", {{24}, {3}}}}};
+       {"pyramid_classifier_to_color_unit", {{14, 15, 16, 20, 21, 22, 23}, {15, 16, 17, 21, 22, 23, 24}}},
+       {"color_unit_to_tree_accumulator", {{15, 16, 17, 21, 22, 23, 24}, {16, 17, 18, 22, 23, 24, 25}}},
+       {"tree_accumulator_to_frame_buffer", {{25}, {26}}},
+       {"tree_accumulator_to_pixel_scan", {{25}, {3}}}}};
   EXPECT_EQ(FirstDifference(run_cycle_loop(scene, quick_machine(), 2), expected).text(), "");
 }
 
@@ -101,16 +105,17 @@ MachineSpec first_free_machine() {
 /// reads in the order of issue, so that all but the first wait for the first, at 13.
 TEST(CycleLoop, FirstFreePassesByASlowUnit) {
   const Timeline expected{
-      21,
+      22,
       {{"pixel_scan_to_view_vector_generator", {{0, 1, 2, 3, 4, 5}, {1, 2, 3, 4, 6, 8}}},
        {"view_vector_generator_to_intersection_unit_0", {{1, 3}, {2, 13}}},
        {"view_vector_generator_to_intersection_unit_1", {{2, 4, 6, 8}, {3, 5, 7, 9}}},
        {"view_vector_generator_to_pyramid_classifier", {{1, 2, 3, 4, 6, 8}, {13, 14, 15, 16, 17, 18}}},
        {"intersection_unit_0_to_pyramid_classifier", {{2, 13}, {13, 15}}},
        {"intersection_unit_1_to_pyramid_classifier", {{3, 5, 7, 9}, {14, 16, 17, 18}}},
-       {"pyramid_classifier_to_tree_accumulator", {{17, 18}, {18, 19}}},
-       {"tree_accumulator_to_frame_buffer", {{18, 19}, {19, 20}}},
-       {"tree_accumulator_to_pixel_scan", {{18, 19}, {4, 5}}}}};
+       {"pyramid_classifier_to_color_unit", {{17, 18}, {18, 19}}},
+       {"color_unit_to_tree_accumulator", {{18, 19}, {19, 20}}},
+       {"tree_accumulator_to_frame_buffer", {{19, 20}, {20, 21}}},
+       {"tree_accumulator_to_pixel_scan", {{19, 20}, {4, 5}}}}};
   EXPECT_EQ(FirstDifference(run_cycle_loop(slow_first_ray(), first_free_machine(), 0), expected).text(), "");
 }
 
@@ -120,16 +125,17 @@ TEST(CycleLoop, FirstFreeWaitsForRoomInTheReorderBuffer) {
   MachineSpec spec = first_free_machine();
   spec.issue_order_queue = 3;
   const Timeline expected{
-      21,
+      22,
       {{"pixel_scan_to_view_vector_generator", {{0, 1, 2, 3, 4, 5}, {1, 2, 3, 14, 15, 16}}},
        {"view_vector_generator_to_intersection_unit_0", {{1, 3, 15}, {2, 13, 16}}},
        {"view_vector_generator_to_intersection_unit_1", {{2, 14, 16}, {3, 15, 17}}},
        {"view_vector_generator_to_pyramid_classifier", {{1, 2, 3, 14, 15, 16}, {13, 14, 15, 16, 17, 18}}},
        {"intersection_unit_0_to_pyramid_classifier", {{2, 13, 16}, {13, 15, 17}}},
        {"intersection_unit_1_to_pyramid_classifier", {{3, 15, 17}, {14, 16, 18}}},
-       {"pyramid_classifier_to_tree_accumulator", {{17, 18}, {18, 19}}},
-       {"tree_accumulator_to_frame_buffer", {{18, 19}, {19, 20}}},
-       {"tree_accumulator_to_pixel_scan", {{18, 19}, {4, 5}}}}};
+       {"pyramid_classifier_to_color_unit", {{17, 18}, {18, 19}}},
+       {"color_unit_to_tree_accumulator", {{18, 19}, {19, 20}}},
+       {"tree_accumulator_to_frame_buffer", {{19, 20}, {20, 21}}},
+       {"tree_accumulator_to_pixel_scan", {{19, 20}, {4, 5}}}}};
   EXPECT_EQ(FirstDifference(run_cycle_loop(slow_first_ray(), spec, 0), expected).text(), "");
 }
 

@@ -93,12 +93,13 @@ TEST(Engines, AgreeWhereASlowClassifierFreesTheControllerEarly) {
 
 /// A stage can be busy for longer than it takes its last result to reach the frame buffer.
 TEST(Engines, AgreeWhereAStageIsBusyAfterTheLastPixel) {
-  std::vector<MachineSpec> specs(5);
+  std::vector<MachineSpec> specs(6);
   specs[0].pixel_scan.interval = 200;
   specs[1].view_vector_generator.interval = 200;
   specs[2].pyramid_classifier.interval = 200;
   specs[3].subdivision_controller.interval = 200;
   specs[4].tree_accumulator.interval = 200;
+  specs[5].color_unit.interval = 200;
   expect_engines_agree(specs, 2);
 }
 

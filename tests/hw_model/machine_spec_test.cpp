@@ -50,6 +50,7 @@ TEST_F(LoadMachine, EveryKeyOfAFile) {
                      "cost": {"ray": 8, "box_test": 9, "sphere": 10, "plane": 11, "triangle": 0}},
     "pyramid_classifier": {"latency": 12, "interval": 13},
     "subdivision_controller": {"latency": 14, "interval": 15, "pool": 16},
+    "color_unit": {"latency": 24, "interval": 25},
     "tree_accumulator": {"latency": 17, "interval": 18, "pixels": 19},
     "frame_buffer": {"interval": 21},
     "fifos": {"all": 22, "tree_accumulator_to_frame_buffer": 23}})"));
@@ -69,6 +70,8 @@ TEST_F(LoadMachine, EveryKeyOfAFile) {
   EXPECT_EQ(spec.subdivision_controller.latency, 14U);
   EXPECT_EQ(spec.subdivision_controller.interval, 15U);
   EXPECT_EQ(spec.subdivision_pool, 16U);
+  EXPECT_EQ(spec.color_unit.latency, 24U);
+  EXPECT_EQ(spec.color_unit.interval, 25U);
   EXPECT_EQ(spec.tree_accumulator.latency, 17U);
   EXPECT_EQ(spec.tree_accumulator.interval, 18U);
   EXPECT_EQ(spec.pixels_in_flight, 19U);
@@ -107,7 +110,7 @@ TEST_F(LoadMachine, OverridesGoOverTheFile) {
       load_machine(file, {"intersection.units=5", "fifos.all=2", "frame_buffer.interval=7", "intersection.units=6"});
   EXPECT_EQ(spec.intersection_units, 6U);  // the last word
   EXPECT_EQ(spec.intersection_latency, 9U);
-  EXPECT_EQ(spec.fifos.pyramid_classifier_to_tree_accumulator, 2U);
+  EXPECT_EQ(spec.fifos.pyramid_classifier_to_color_unit, 2U);
   EXPECT_EQ(spec.frame_buffer_interval, 7U);
   EXPECT_EQ(load_machine(std::nullopt, {"tree_accumulator.pixels=1"}).pixels_in_flight, 1U);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines.h"
 
+#include "hw_model/plan/wire_list.h"
+
 namespace pyrasim::hw {
 
 MachineSpec quick_machine() {
@@ -16,7 +18,9 @@ MachineSpec quick_machine() {
 }
 
 MachineSpec with_all_fifos(MachineSpec spec, std::size_t depth) {
-  spec.fifos = {depth, depth, depth, depth, depth, depth, depth, depth};
+  for_each_wire([&](const auto& wire) {
+    if (wire.depth != nullptr) spec.fifos.*wire.depth = depth;
+  });
   return spec;
 }
 

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "hw_model/machine_spec.h"
+#include "hw_model/plan/wire_list.h"
 
 namespace pyrasim::hw {
 
@@ -24,10 +25,13 @@ inline MachineSpec random_machine(std::mt19937_64& random, int max_level) {
   spec.pyramid_classifier = timing();
   spec.subdivision_controller = timing();
   spec.subdivision_pool = required_pool(max_level) + from(0, from(0, 40));
+  spec.color_unit = timing();
   spec.tree_accumulator = timing();
   spec.pixels_in_flight = from(1, from(1, 300));
   spec.frame_buffer_interval = timing().interval;
-  spec.fifos = {depth(), depth(), depth(), depth(), depth(), depth(), depth(), depth()};
+  for_each_wire([&](const auto& wire) {
+    if (wire.depth != nullptr) spec.fifos.*wire.depth = depth();
+  });
   return spec;
 }
 

@@ -22,8 +22,9 @@ Cycle cost_of(const IntersectionCost& cost, const FrameStatistics& statistics) {
 
 /// A 1 x 1 frame of the empty scene on the default latencies, worked out by hand. The pixel scan writes its four
 /// corners at 0, 1, 2 and 3 (latency 1). The generator sends the last at 4 (latency 4), a unit takes it at 8 and is
-/// busy for 1 cycle (latency 8): visible at 16. The classifier (latency 2) sends the node at 16, the accumulator
-/// (latency 2) the pixel at 18, and the frame buffer stores it at 20, which takes the cycle to 21.
+/// busy for 1 cycle (latency 8): visible at 16. The classifier (latency 2) sends the node at 16, the colour unit
+/// (latency 1) its colour at 18, the accumulator (latency 2) the pixel at 19, and the frame buffer stores it at 21,
+/// which takes the cycle to 22.
 TEST(FrameLatency, OfOnePixelByHand) {
   Simulation simulation;
   const Scene scene = empty_scene(1, 1, 0.5);
@@ -37,19 +38,20 @@ TEST(FrameLatency, OfOnePixelByHand) {
   longer.view_vector_generator.latency += 10;
   longer.intersection_latency += 20;
   longer.pyramid_classifier.latency += 40;
+  longer.color_unit.latency += 160;
   longer.tree_accumulator.latency += 80;
   longer.frame_buffer_interval += 7;
   const Processor& slow = simulation.add(scene, longer, at_level(0));
   simulation.run();
-  EXPECT_EQ(four.cycles(), 21U);
-  EXPECT_EQ(one.cycles(), 21U);
-  EXPECT_EQ(slow.cycles(), 21U + 3 + 10 + 20 + 40 + 80 + 7);
+  EXPECT_EQ(four.cycles(), 22U);
+  EXPECT_EQ(one.cycles(), 22U);
+  EXPECT_EQ(slow.cycles(), 22U + 3 + 10 + 20 + 40 + 160 + 80 + 7);
   const StageStatistics buffer = stage_statistics(four, "frame_buffer");
   EXPECT_EQ(buffer.busy, 1U);
-  EXPECT_EQ(buffer.idle, 20U);
+  EXPECT_EQ(buffer.idle, 21U);
   const StageStatistics scan = stage_statistics(four, "pixel_scan");
   EXPECT_EQ(scan.busy, 4U);
-  EXPECT_EQ(scan.idle, 17U);
+  EXPECT_EQ(scan.idle, 18U);
 }
 
 /// One plane in front of the camera: every ray costs ray + plane cycles, and a lone unit is what the frame waits for.
@@ -65,8 +67,9 @@ TEST(IntersectionUnit, OccupancyIsTheCostOfItsWork) {
   const Processor& on_mixed = simulation.add(mixed, spec, at_level(3));
   simulation.run();
   EXPECT_EQ(stage_statistics(on_plane, "intersection_unit_0").busy, 42U * (5 + 11));
-  // 42 rays one after the other: the first starts at 5, and the last is followed by 8 + 2 + 2 + 1 cycles less 1.
-  EXPECT_EQ(on_plane.cycles(), 5 + 42U * 16 + 12);
+  // 42 rays one after the other: the first starts at 5, and the last is followed by 8 + 2 + 1 + 2 + 1 cycles less
+  // 1.
+  EXPECT_EQ(on_plane.cycles(), 5 + 42U * 16 + 13);
   const StageStatistics unit = stage_statistics(on_mixed, "intersection_unit_0");
   EXPECT_EQ(unit.busy, cost_of(spec.intersection_cost, on_mixed.statistics()));
   EXPECT_EQ(unit.firings, on_mixed.statistics().total_rays());
@@ -120,6 +123,7 @@ TEST(PyramidClassifier, FiresOncePerCornerAndSixTimesPerSubdivision) {
   simulation.run();
   const FrameStatistics statistics = machine.statistics();
   EXPECT_EQ(stage_statistics(machine, "pyramid_classifier").firings, 13U * 10 + 6 * statistics.subdivisions);
+  EXPECT_EQ(stage_statistics(machine, "color_unit").firings, statistics.terminal_nodes);
   EXPECT_EQ(stage_statistics(machine, "tree_accumulator").firings, statistics.terminal_nodes);
   EXPECT_EQ(stage_statistics(machine, "frame_buffer").firings, 12U * 9);
   EXPECT_EQ(stage_statistics(machine, "pixel_scan").firings, 13U * 10);
@@ -128,10 +132,10 @@ TEST(PyramidClassifier, FiresOncePerCornerAndSixTimesPerSubdivision) {
 /// Without the loop, room and units can only help.
 TEST(FeedForward, DeeperFifosAndMoreUnitsNeverCost) {
   const Scene scene = random_scene(9, {30, 30, 1}, 24, 18);
-  const std::array<std::size_t FifoDepths::*, 5> fifos{
-      &FifoDepths::pixel_scan_to_view_vector_generator, &FifoDepths::view_vector_generator_to_intersection_unit,
-      &FifoDepths::intersection_unit_to_pyramid_classifier, &FifoDepths::pyramid_classifier_to_tree_accumulator,
-      &FifoDepths::tree_accumulator_to_frame_buffer};
+  const std::array<std::size_t FifoDepths::*, 6> fifos{
+      &FifoDepths::pixel_scan_to_view_vector_generator,     &FifoDepths::view_vector_generator_to_intersection_unit,
+      &FifoDepths::intersection_unit_to_pyramid_classifier, &FifoDepths::pyramid_classifier_to_color_unit,
+      &FifoDepths::color_unit_to_tree_accumulator,          &FifoDepths::tree_accumulator_to_frame_buffer};
   Simulation simulation;
   std::vector<std::vector<const Processor*>> chains;
   for (const std::size_t base : {1, 3}) {

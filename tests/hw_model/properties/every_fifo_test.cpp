@@ -29,6 +29,7 @@ Cycle least_latency(const MachineSpec& spec, const std::string& fifo) {
   if (starts_with(fifo, "intersection_unit")) return spec.intersection_cost.ray - 1 + spec.intersection_latency;
   if (starts_with(fifo, "pyramid_classifier")) return spec.pyramid_classifier.latency;
   if (starts_with(fifo, "subdivision_controller")) return spec.subdivision_controller.latency;
+  if (starts_with(fifo, "color_unit")) return spec.color_unit.latency;
   return spec.tree_accumulator.latency;
 }
 
@@ -39,7 +40,8 @@ std::size_t depth_of(const MachineSpec& spec, const std::string& fifo) {
   if (starts_with(fifo, "view_vector_generator_to_p")) return spec.issue_order_queue;
   if (starts_with(fifo, "intersection_unit")) return depths.intersection_unit_to_pyramid_classifier;
   if (starts_with(fifo, "pyramid_classifier_to_s")) return depths.pyramid_classifier_to_subdivision_controller;
-  if (starts_with(fifo, "pyramid_classifier_to_t")) return depths.pyramid_classifier_to_tree_accumulator;
+  if (starts_with(fifo, "pyramid_classifier_to_c")) return depths.pyramid_classifier_to_color_unit;
+  if (starts_with(fifo, "color_unit")) return depths.color_unit_to_tree_accumulator;
   if (starts_with(fifo, "subdivision_controller_to_v")) return depths.subdivision_controller_to_view_vector_generator;
   if (starts_with(fifo, "subdivision_controller_to_p")) return depths.subdivision_controller_to_pyramid_classifier;
   if (starts_with(fifo, "tree_accumulator_to_f")) return depths.tree_accumulator_to_frame_buffer;

@@ -6,7 +6,7 @@
 namespace pyrasim::hw {
 namespace {
 
-constexpr const char* terminal_nodes = "pyramid_classifier_to_tree_accumulator";
+constexpr const char* terminal_nodes = "pyramid_classifier_to_color_unit";
 constexpr const char* nodes_to_split = "pyramid_classifier_to_subdivision_controller";
 constexpr const char* parents = "subdivision_controller_to_pyramid_classifier";
 
@@ -39,12 +39,12 @@ TEST(PyramidClassifier, WaitsForRoomAndWritesTheCycleAfterTheRead) {
   std::vector<Frame> frames;
   for (const std::size_t depth : {2, 3, 5}) {
     frames.push_back({empty_scene(6, 4, 1), quick_machine()});
-    frames.back().spec.tree_accumulator.interval = 7;
-    frames.back().spec.fifos.pyramid_classifier_to_tree_accumulator = depth;
+    frames.back().spec.color_unit.interval = 7;
+    frames.back().spec.fifos.pyramid_classifier_to_color_unit = depth;
   }
   for (const Dated& frame : dates_of(frames)) {
     SCOPED_TRACE(frame.name);
-    expect_writes_as_soon_as_freed(frame.fifo(terminal_nodes), frame.spec.fifos.pyramid_classifier_to_tree_accumulator);
+    expect_writes_as_soon_as_freed(frame.fifo(terminal_nodes), frame.spec.fifos.pyramid_classifier_to_color_unit);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "frames.h"
+#include "one_pixel_setup.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -72,10 +73,19 @@ struct Bench {
   SubdivisionController controller;
   Cycle now = 0;
 
-  Bench(std::size_t pool, int max_level) : controller(sc_core::sc_gen_unique_name("controller"), {}, pool, max_level) {
+  Bench(std::size_t pool, int max_level)
+      : controller(sc_core::sc_gen_unique_name("controller"), setup(pool, max_level).frame()) {
     controller.pyramid_classifier(nodes);
     controller.view_vector_generator(requests);
     controller.parents(parents);
+  }
+
+  static OnePixelSetup setup(std::size_t pool, int max_level) {
+    OnePixelSetup setup;
+    setup.spec.subdivision_controller.latency = 1;
+    setup.spec.subdivision_pool = pool;
+    setup.options.max_level = max_level;
+    return setup;
   }
 
   void send(std::uint32_t level, std::uint32_t pixel, bool subdivide = true, bool closes_family = false) {

@@ -6,7 +6,7 @@
 namespace pyrasim::hw {
 namespace {
 
-constexpr const char* terminal_nodes = "pyramid_classifier_to_tree_accumulator";
+constexpr const char* colors = "color_unit_to_tree_accumulator";
 constexpr const char* pixels = "tree_accumulator_to_frame_buffer";
 constexpr const char* slots = "tree_accumulator_to_pixel_scan";
 
@@ -32,7 +32,7 @@ TEST(TreeAccumulator, ASlotIsBackTheLatencyAfterThePixelsLastNode) {
   }
   for (const Dated& frame : dates_of(frames)) {
     SCOPED_TRACE(frame.name);
-    const std::vector<Cycle>& nodes = frame.fifo(terminal_nodes).reads;
+    const std::vector<Cycle>& nodes = frame.fifo(colors).reads;
     const FifoDates& slot = frame.fifo(slots);
     ASSERT_EQ(slot.writes.size(), slot.reads.size());
     for (std::size_t k = 0; k < slot.writes.size(); ++k) {
@@ -61,7 +61,7 @@ TEST(TreeAccumulator, NodesAreReadAnIntervalApart) {
   }
   for (const Dated& frame : dates_of(frames)) {
     SCOPED_TRACE(frame.name);
-    expect_gaps(frame.fifo(terminal_nodes).reads, frame.spec.tree_accumulator.interval);
+    expect_gaps(frame.fifo(colors).reads, frame.spec.tree_accumulator.interval);
   }
 }
 

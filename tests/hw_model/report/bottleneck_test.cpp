@@ -70,6 +70,7 @@ TEST(BottleneckChain, EndsAtTheStageThatIsSlow) {
       {"intersection_units", [](MachineSpec& spec) { spec.intersection_cost.ray = 500; }},
       {"pyramid_classifier", [](MachineSpec& spec) { spec.pyramid_classifier.interval = slow; }},
       {"subdivision_controller", [](MachineSpec& spec) { spec.subdivision_controller.interval = 200; }},
+      {"color_unit", [](MachineSpec& spec) { spec.color_unit.interval = slow; }},
       {"tree_accumulator", [](MachineSpec& spec) { spec.tree_accumulator.interval = slow; }},
       {"frame_buffer", [](MachineSpec& spec) { spec.frame_buffer_interval = 500; }}};
   Simulation simulation;
@@ -104,11 +105,12 @@ TEST(BottleneckChain, GoesOnFromABoxThatIsNotTheBusiest) {
   simulation.run();
   const std::vector<BottleneckLink> chain = bottleneck_chain(machine);
   SCOPED_TRACE(bottleneck_text(chain));
-  ASSERT_EQ(chain.size(), 3U);
+  ASSERT_EQ(chain.size(), 4U);
   EXPECT_GT(chain[0].busy, chain[0].waited);
-  EXPECT_EQ(chain[1].unit, "pyramid_classifier");
-  EXPECT_EQ(chain[2].unit, "intersection_units");
-  EXPECT_GT(chain[2].busy, chain[0].busy);
+  EXPECT_EQ(chain[1].unit, "color_unit");
+  EXPECT_EQ(chain[2].unit, "pyramid_classifier");
+  EXPECT_EQ(chain[3].unit, "intersection_units");
+  EXPECT_GT(chain[3].busy, chain[0].busy);
 }
 
 /// Nobody is busy: each waits for the next all the way round, and the latency of the loop is the cause.
@@ -122,8 +124,9 @@ TEST(BottleneckChain, ClosesWithOneSlotInFlight) {
   SCOPED_TRACE(bottleneck_text(chain));
   std::vector<std::string> units;
   for (const BottleneckLink& link : chain) units.push_back(link.unit);
-  EXPECT_EQ(units, (std::vector<std::string>{"tree_accumulator", "pyramid_classifier", "intersection_units",
-                                             "view_vector_generator", "pixel_scan", "tree_accumulator"}));
+  EXPECT_EQ(units,
+            (std::vector<std::string>{"tree_accumulator", "color_unit", "pyramid_classifier", "intersection_units",
+                                      "view_vector_generator", "pixel_scan", "tree_accumulator"}));
   for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
     EXPECT_TRUE(chain[k].starved);
     EXPECT_GT(chain[k].waited, 0.5);
@@ -186,9 +189,9 @@ TEST(LowerBound, IsNearlyReachedByALoneSlowUnit) {
   simulation.run();
   const LowerBound bound = lower_bound(machine);
   EXPECT_EQ(bound.cycles, stage_statistics(machine, "intersection_unit_0").busy);
-  // Scan and generator before the first ray, 1 + 4; after the last the unit's latency less 1, classifier, accumulator,
-  // and the frame buffer's cycle.
-  EXPECT_EQ(machine.cycles(), bound.cycles + 1 + 4 + 7 + 2 + 2 + 1);
+  // Scan and generator before the first ray, 1 + 4; after the last the unit's latency less 1, classifier, colour unit,
+  // accumulator, and the frame buffer's cycle.
+  EXPECT_EQ(machine.cycles(), bound.cycles + 1 + 4 + 7 + 2 + 1 + 2 + 1);
 }
 
 }  // namespace
