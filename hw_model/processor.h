@@ -43,6 +43,7 @@ struct SimulationOptions {
 struct OmittedUnit {
   std::string name;
   std::string reason;
+  friend bool operator==(const OmittedUnit&, const OmittedUnit&) = default;
 };
 
 /// One machine, rendering one frame. Several may be elaborated side by side before the simulation starts. Elaborate,

@@ -5,15 +5,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/asked_run.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
-#include "cli/run_simulation.h"
 #include "cli/statistics_document.h"
-#include "hw_model/report/deadlock.h"
-#include "hw_model/trace/occupancy.h"
 #include "hw_model/trace/vcd_trace.h"
+#include "run/interrupt.h"
+#include "run/simulation.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -28,19 +27,10 @@ struct SimulateCommand {
   std::string trace;
 
   void run() const {
-    const Scene scene = frame.load();
-    const hw::MachineSpec spec = machine.load();
-    hw::SimulationOptions options;
-    options.max_level = parse_max_level(frame.max_level, scene.camera.screen);
-    options.edge = frame.edge;
-    options.engine = engine;
-    options.max_cycles = machine.max_cycles;
-    options.threads = thread_count(threads);
-    options.progress = progress_bar("simulating");
-    check_addressable(scene.camera.screen, options.max_level);
-    options.formats = frame.formats(scene.camera.screen, std::int64_t{1} << options.max_level);
+    auto [asked, scene] = asked_run(frame, machine);
+    asked.engine = engine;
     OutputPlan plan;
-    plan.reads("SCENE", scene.files);
+    plan.reads("SCENE", scene->files);
     plan.reads("--machine", machine.file);
     plan.writes("-o", image.file);
     plan.writes("--stats", stats);
@@ -51,24 +41,22 @@ struct SimulateCommand {
     std::optional<TextOutput> vcd;
     if (!trace.empty()) vcd.emplace(trace);
 
-    hw::Processor processor("processor", scene, spec, options);
+    Simulation simulation(asked, *scene, {.threads = thread_count(threads), .progress = progress_bar("simulating")});
+    const hw::Processor& processor = simulation.processor();
     std::optional<hw::VcdTrace> recorder;
-    if (vcd) recorder.emplace(processor);
-    std::vector<std::unique_ptr<hw::Occupancy>> occupancies;
-    if (statistics) {
-      for (hw::FifoBase* fifo : processor.fifos()) occupancies.push_back(std::make_unique<hw::Occupancy>(*fifo));
-    }
-    run_interruptibly(run_simulation, [&] {
-      return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
-                         processor.frame_buffer().stored(), processor.image().pixels().size());
-    });
-    hw::require_finished(processor);
-    for (const auto& occupancy : occupancies) occupancy->end_frame(processor.cycles());
+    if (vcd) recorder.emplace(simulation.processor());
+    if (statistics) simulation.watch_occupancies();
+    Outcome outcome;
+    run_interruptibly([&] { outcome = simulation.run(); },
+                      [&] {
+                        return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
+                                           processor.frame_buffer().stored(), processor.image().pixels().size());
+                      });
+    require_finished(outcome);
     picture.write(processor.image());
     if (vcd) vcd->write(recorder->text());
-    if (statistics)
-      statistics->write(text_of(simulation_document(frame.scene, scene.camera, options, processor, occupancies)));
-    plan.table() << simulation_table(frame.scene, scene.camera, options.max_level, processor);
+    if (statistics) statistics->write(text_of(simulation_document(asked, outcome)));
+    plan.table() << simulation_table(asked, outcome);
   }
 };
 
