@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
+#include "error.h"
 #include "files/sha256.h"
 #include "hw_model/machine_settings.h"
 #include "hw_model/run_control.h"
@@ -19,7 +21,13 @@ std::string sha256_of_files(const std::vector<std::string>& files) {
   std::string digests;
   for (const std::string& file : files) {
     if (!std::filesystem::is_regular_file(file)) return {};
-    digests += sha256(read_text(file));
+    try {
+      digests += sha256(read_text(file));
+    } catch (const Error&) {  // of the library
+      throw;
+    } catch (const std::runtime_error&) {  // the file has gone meanwhile
+      return {};
+    }
   }
   return sha256(digests);
 }

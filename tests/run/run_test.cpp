@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -51,7 +52,8 @@ std::vector<Run> all_changes() {
   changed([](Run& run) { run.max_cycles = 1000; });
   changed([](Run& run) { run.reference = "grid:4"; });
   std::size_t settings = 0;
-  hw::for_each_setting(some_run().machine, [&](const auto&...) { ++settings; });
+  const hw::MachineSpec machine;
+  hw::for_each_setting(machine, [&](const auto&...) { ++settings; });
   for (std::size_t which = 0; which < settings; ++which) {
     changed([&](Run& run) {
       std::size_t k = 0;
@@ -65,29 +67,29 @@ std::vector<Run> all_changes() {
 
 TEST(RunKey, ChangesWithEverySetting) {
   std::set<std::string> keys{*run_key(some_run())};
-  const std::vector<Run> runs = all_changes();
+  const auto runs = all_changes();
   EXPECT_GT(runs.size(), 40U);
-  for (const Run& run : runs) EXPECT_TRUE(keys.insert(*run_key(run)).second) << canonical_json(run).dump(2);
+  for (const auto& run : runs) EXPECT_TRUE(keys.insert(*run_key(run)).second) << canonical_json(run).dump(2);
 }
 
 TEST(RunKey, IsThatOfWhatIsRun) {
-  Run renamed = some_run();
+  auto renamed = some_run();
   renamed.scene.name = "elsewhere.json";
   renamed.machine.name = "another";
   renamed.machine.overridden = 3;
   EXPECT_EQ(run_key(renamed), run_key(some_run()));
-  Run whole = some_run();
+  auto whole = some_run();
   whole.window = {0, 0, 640, 480};
   EXPECT_EQ(run_key(whole), run_key(some_run()));
-  Run unknown = some_run();
+  auto unknown = some_run();
   unknown.scene.sha256.clear();
   EXPECT_EQ(run_key(unknown), std::nullopt);
 }
 
 TEST(CanonicalJson, DoesNotDependOnTheOrderOfSettings) {
-  Run run = some_run();
+  auto run = some_run();
   run.machine = hw::load_machine({}, {"intersection.units=2", "clock_mhz=50", "fifos.all=3"});
-  Run other = some_run();
+  auto other = some_run();
   other.machine = hw::load_machine({}, {"fifos.all=3", "clock_mhz=50.0", "intersection.units=2"});
   EXPECT_EQ(canonical_json(run).dump(), canonical_json(other).dump());
   const auto a = nlohmann::json::parse(R"({"clock_mhz": 50, "intersection": {"units": 2, "latency": 9}})");
@@ -124,7 +126,12 @@ TEST_F(SceneBytes, EachCounts) {
   EXPECT_EQ(all.count(sha256_of("abc", "de")), 1U);
 }
 
-TEST_F(SceneBytes, OfWhatCanBeReadOnceAreUnknown) { EXPECT_EQ(sha256_of_files({"/dev/null"}), ""); }
+TEST_F(SceneBytes, OfWhatCannotBeReadAgainAreUnknown) {
+  put(in_folder("scene.json"), "abc");
+  for (const std::string other : {std::string("/dev/null"), in_folder("gone.obj").string()}) {
+    EXPECT_EQ(sha256_of_files({in_folder("scene.json"), other}), "") << other;
+  }
+}
 
 }  // namespace
 }  // namespace pyrasim

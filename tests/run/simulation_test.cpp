@@ -15,7 +15,7 @@ namespace pyrasim {
 namespace {
 
 struct SmallFrame {
-  std::shared_ptr<const Scene> scene = std::make_shared<const Scene>(shipped_scene("keel.json"));
+  std::shared_ptr<const Scene> scene = std::make_shared<const Scene>(shipped_scene("keel"));
   Run run;
 
   SmallFrame() {
