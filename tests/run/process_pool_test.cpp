@@ -107,6 +107,20 @@ TEST(ProcessPool, TheFirstFailureInOrderCounts) {
   for (const int at_once : {2, 4, 9}) EXPECT_EQ(take_all(9, prepare, at_once), alone);
 }
 
+TEST(ProcessPool, NothingIsStartedBehindAFailure) {
+  std::size_t prepared = 0;
+  const auto prepare = [&](std::size_t k) {
+    ++prepared;
+    return [k](const Progress&) -> std::string {
+      if (k == 1) throw UsageError("no");
+      std::this_thread::sleep_for(k == 0 ? 300ms : 1ms);  // the failure is known long before the first result
+      return "yes";
+    };
+  };
+  EXPECT_EQ(take_all(50, prepare, 2), (Taken{{"yes"}, "no"}));
+  EXPECT_EQ(prepared, 2U);
+}
+
 TEST(ProcessPool, ErrorsKeepTheirKind) {
   const auto code_of = [](const Job& job) {
     try {
