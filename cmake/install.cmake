@@ -6,18 +6,20 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pyrasim)
 set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/pyrasim)
 
 # The libraries, as pyrasim::core and pyrasim::hw; inside this project those names mean the same.
-foreach(part IN ITEMS core hw systemc flags)
+foreach(part IN ITEMS core hw run systemc flags)
   add_library(pyrasim::${part} ALIAS pyrasim_${part})
   set_target_properties(pyrasim_${part} PROPERTIES EXPORT_NAME ${part})
 endforeach()
 
 # Headers are included by the same names as in this project: "scene/load_scene.h", "hw_model/processor.h".
 file(GLOB_RECURSE core_headers CONFIGURE_DEPENDS src/*.h)
-list(FILTER core_headers EXCLUDE REGEX "/src/cli/")
+list(FILTER core_headers EXCLUDE REGEX "/src/(cli|run)/")
+file(GLOB run_headers CONFIGURE_DEPENDS src/run/*.h)
 file(GLOB_RECURSE machine_headers CONFIGURE_DEPENDS hw_model/*.h)
 target_sources(pyrasim_core PUBLIC FILE_SET HEADERS BASE_DIRS src FILES ${core_headers})
 target_sources(pyrasim_hw PUBLIC FILE_SET HEADERS BASE_DIRS . FILES ${machine_headers})
-install(TARGETS pyrasim_core pyrasim_hw pyrasim_systemc pyrasim_flags EXPORT pyrasim
+target_sources(pyrasim_run PUBLIC FILE_SET HEADERS BASE_DIRS src FILES ${run_headers})
+install(TARGETS pyrasim_core pyrasim_hw pyrasim_run pyrasim_systemc pyrasim_flags EXPORT pyrasim
         ARCHIVE COMPONENT development
         FILE_SET HEADERS DESTINATION ${header_folder} COMPONENT development
         INCLUDES DESTINATION ${header_folder})

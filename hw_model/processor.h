@@ -22,6 +22,7 @@ namespace pyrasim::hw {
 struct OmittedUnit {
   std::string name;
   std::string reason;
+  friend bool operator==(const OmittedUnit&, const OmittedUnit&) = default;
 };
 
 /// One machine, rendering one frame. Several may be elaborated side by side before the simulation starts. Elaborate,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace pyrasim {
 
@@ -44,6 +45,12 @@ struct InputError : Error {
 struct LimitError : Error {
   explicit LimitError(const std::string& message) : Error(exit_limit, message) {}
 };
+
+/// Throws the Error of `code`; a LimitError where that is its code, which may be of several lines.
+[[noreturn]] inline void throw_error(ExitCode code, const std::string& message) {
+  if (code == exit_limit) throw LimitError(message);
+  throw Error(code, message);
+}
 
 /// A run that its user ended by a signal. The exit code is the one that a shell reports: 130 for Ctrl-C.
 struct Interrupted : Error {

@@ -16,6 +16,7 @@ struct FifoStatistics {
   std::uint64_t tokens = 0;        ///< that were read
   Cycle starved = 0;               ///< cycles that the reader waited for a token from here
   Cycle blocked = 0;               ///< cycles that the writer waited for room in here
+  friend bool operator==(const FifoStatistics&, const FifoStatistics&) = default;
 };
 
 }  // namespace pyrasim::hw

@@ -27,6 +27,7 @@ struct BottleneckLink {
   /// What leads on to the next link, with its share of the frame's cycles; 0 at the end of the chain.
   double waited = 0;
   bool starved = false;  ///< waited for the next link's tokens; else for room in its FIFO
+  friend bool operator==(const BottleneckLink&, const BottleneckLink&) = default;
 };
 
 /// From the tree accumulator, which finishes pixels, to the cause: the box at the other end of the FIFOs for which a
@@ -41,6 +42,7 @@ std::string bottleneck_text(const std::vector<BottleneckLink>& chain);
 struct LowerBound {
   std::string unit;  ///< the busiest; "intersection_units" for all of them together
   Cycle cycles;      ///< its busy cycles; of the intersection units their sum, divided by their number, rounded up
+  friend bool operator==(const LowerBound&, const LowerBound&) = default;
 };
 LowerBound lower_bound(const Processor& processor);
 

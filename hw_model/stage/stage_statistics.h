@@ -14,6 +14,7 @@ struct StageStatistics {
   Cycle blocked = 0;  ///< no room for the output
   Cycle idle = 0;     ///< frame not begun, or over
   std::uint64_t firings = 0;
+  friend bool operator==(const StageStatistics&, const StageStatistics&) = default;
 };
 
 }  // namespace pyrasim::hw

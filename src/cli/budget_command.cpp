@@ -7,13 +7,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/asked_run.h"
 #include "cli/budget_search.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
 #include "cli/statistics_document.h"
-#include "render/picture_memory.h"
+#include "run/interrupt.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
@@ -32,7 +32,7 @@ struct Change {
 
 Change change_to(const std::vector<const BudgetSetting*>& settings, const BudgetFrame& asked,
                  const BudgetFrame& changed, bool met, const FrameOutcome& outcome) {
-  Change change{{}, met, outcome, changed.fps(outcome.cycles)};
+  Change change{{}, met, outcome, frames_per_second(changed.run, outcome.cycles)};
   for (const BudgetSetting* setting : settings) {
     change.steps.push_back({setting->name, setting->value(asked), setting->value(changed)});
   }
@@ -152,17 +152,11 @@ struct BudgetCommand {
   std::string stats;
 
   void run() const {
-    BudgetFrame asked{frame.load(), machine.load(), {}, {}};
-    if (fps) asked.spec.goal_fps = *fps;
-    const Screen& screen = asked.scene.camera.screen;
-    asked.options.max_level = parse_max_level(frame.max_level, screen);
-    asked.options.edge = frame.edge;
-    check_addressable(screen, asked.options.max_level);
-    check_picture_fits(asked.scene.camera.rendered());
-    asked.options.formats = frame.formats(screen, std::int64_t{1} << asked.options.max_level);
-    hw::check_machine_holds(asked.spec, asked.options.max_level, screen.columns);
+    AskedRun read = asked_run(frame, machine);
+    if (fps) read.run.machine.goal_fps = *fps;
+    const BudgetFrame asked{std::move(read.run), std::move(read.scene), {}};
     OutputPlan plan;
-    plan.reads("SCENE", asked.scene.files);
+    plan.reads("SCENE", asked.scene->files);
     plan.reads("--machine", machine.file);
     plan.writes("--stats", stats);
     std::optional<TextOutput> statistics;
@@ -173,7 +167,7 @@ struct BudgetCommand {
     run_interruptibly(
         [&] {
           cycles = simulate_frame(asked, machine.max_cycles).cycles;
-          if (*cycles > asked.spec.budget()) changes.emplace(asked);
+          if (*cycles > asked.run.machine.budget()) changes.emplace(asked);
         },
         [&] { return cycles ? "while changes were tried" : "in the frame as asked for"; });
     if (statistics) statistics->write(text_of(document(asked, *cycles, changes)));
@@ -181,14 +175,14 @@ struct BudgetCommand {
   }
 
   std::string table(const BudgetFrame& asked, hw::Cycle cycles, const std::optional<Changes>& changes) const {
-    const Screen& screen = asked.scene.camera.screen;
-    const double reached = asked.fps(cycles);
-    const double goal = asked.spec.goal_fps;
+    const Screen& screen = asked.run.screen;
+    const double reached = frames_per_second(asked.run, cycles);
+    const double goal = asked.run.machine.goal_fps;
     std::string text = fmt::format(
         "{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n{} cycles, {:.1f} frames per second\n", one_line(frame.scene),
-        screen.columns, screen.rows, asked.options.max_level, excerpt(asked.spec.title()), cycles, reached);
-    text += fmt::format("budget: {} cycles for {} frames per second, {} by {:.1f} %\n", asked.spec.budget(), goal,
-                        changes ? "missed" : "met", 100 * std::abs(reached / goal - 1));
+        screen.columns, screen.rows, asked.run.max_level, excerpt(asked.run.machine.title()), cycles, reached);
+    text += fmt::format("budget: {} cycles for {} frames per second, {} by {:.1f} %\n", asked.run.machine.budget(),
+                        goal, changes ? "missed" : "met", 100 * std::abs(reached / goal - 1));
     if (!changes) return text;
     text += "\nthe smallest changes that meet it, each alone and simulated:\n" + change_lines(changes->alone);
     if (!changes->pairs.empty()) {
@@ -201,10 +195,11 @@ struct BudgetCommand {
                                   const std::optional<Changes>& changes) const {
     return {{"command", command_line()},
             {"scene", frame.scene},
-            {"machine", asked.spec.name},
+            {"machine", asked.run.machine.name},
             {"cycles", cycles},
-            {"frames_per_second", asked.fps(cycles)},
-            {"budget", {{"goal_fps", asked.spec.goal_fps}, {"cycles", asked.spec.budget()}, {"met", !changes}}},
+            {"frames_per_second", frames_per_second(asked.run, cycles)},
+            {"budget",
+             {{"goal_fps", asked.run.machine.goal_fps}, {"cycles", asked.run.machine.budget()}, {"met", !changes}}},
             {"changes", changes_document(changes ? changes->alone : std::vector<Change>())},
             {"pairs", pairs_document(changes ? changes->pairs : std::vector<Change>())}};
   }

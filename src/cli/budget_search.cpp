@@ -6,14 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <type_traits>
 
-#include "cli/run_apart.h"
-#include "cli/run_simulation.h"
 #include "hw_model/machine_settings.h"
-#include "hw_model/report/bottleneck.h"
-#include "hw_model/report/deadlock.h"
+#include "run/executor.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -28,23 +24,24 @@ std::string name_of(const BudgetFrame& frame) {
   return changes.empty() ? "the simulation" : fmt::format("the simulation with {}", fmt::join(changes, ", "));
 }
 
+/// Of the frame in a process of its own.
+Outcome outcome_of(const BudgetFrame& frame, hw::Cycle max_cycles) {
+  Task task{frame.run, frame.scene};
+  task.run.max_cycles = max_cycles;
+  return execute(task, name_of(frame));
+}
+
 /// The frame's cycles where it keeps to its budget.
 std::optional<hw::Cycle> cycles_within_budget(const BudgetFrame& frame) {
-  return run_apart_for(name_of(frame), [&] {
-    hw::SimulationOptions limited = frame.options;
-    limited.max_cycles = frame.spec.budget();
-    hw::Processor processor("processor", frame.scene, frame.spec, limited);
-    run_simulation();
-    const bool met = processor.complete() && processor.cycles() <= limited.max_cycles;
-    return met ? std::optional(processor.cycles()) : std::nullopt;
-  });
+  const Outcome outcome = outcome_of(frame, frame.run.machine.budget());
+  return outcome.unfinished.empty() ? std::optional(outcome.cycles) : std::nullopt;
 }
 
 /// The clock changes no cycles, so that one simulation tells which one is needed.
 std::optional<EnoughChange> smallest_clock(const BudgetSetting& clock, const BudgetFrame& frame) {
   const auto cycles = cycles_within_budget(clock.with(frame, clock.largest_change));
   if (!cycles) return std::nullopt;
-  const double least = std::ceil(static_cast<double>(*cycles) * frame.spec.goal_fps / 1e6);
+  const double least = std::ceil(static_cast<double>(*cycles) * frame.run.machine.goal_fps / 1e6);
   BudgetFrame changed = clock.with(frame, static_cast<int>(std::min<double>(least, clock.largest_change)));
   return EnoughChange{std::move(changed), *cycles};
 }
@@ -52,41 +49,42 @@ std::optional<EnoughChange> smallest_clock(const BudgetSetting& clock, const Bud
 BudgetSetting units_setting() {
   return {.name = "intersection.units",
           .largest_change = most_units,
-          .get = [](const BudgetFrame& frame) { return static_cast<int>(frame.spec.intersection_units); },
-          .set = [](BudgetFrame& frame, int value) { frame.spec.intersection_units = static_cast<std::size_t>(value); },
-          .value = [](const BudgetFrame& frame) { return std::to_string(frame.spec.intersection_units); },
+          .get = [](const BudgetFrame& frame) { return static_cast<int>(frame.run.machine.intersection_units); },
+          .set = [](BudgetFrame& frame,
+                    int value) { frame.run.machine.intersection_units = static_cast<std::size_t>(value); },
+          .value = [](const BudgetFrame& frame) { return std::to_string(frame.run.machine.intersection_units); },
           .doubles = true};
 }
 
 BudgetSetting clock_setting() {
   return {.name = "clock_mhz",
           .largest_change = most_mhz,
-          .get = [](const BudgetFrame& frame) { return static_cast<int>(frame.spec.clock_mhz); },
-          .set = [](BudgetFrame& frame, int value) { frame.spec.clock_mhz = value; },
-          .value = [](const BudgetFrame& frame) { return fmt::format("{}", frame.spec.clock_mhz); },
+          .get = [](const BudgetFrame& frame) { return static_cast<int>(frame.run.machine.clock_mhz); },
+          .set = [](BudgetFrame& frame, int value) { frame.run.machine.clock_mhz = value; },
+          .value = [](const BudgetFrame& frame) { return fmt::format("{}", frame.run.machine.clock_mhz); },
           .keeps_cycles = true};
 }
 
 BudgetSetting level_setting() {
   return {.name = "max_level",
           .largest_change = 0,
-          .get = [](const BudgetFrame& frame) { return frame.options.max_level; },
-          .set = [](BudgetFrame& frame, int value) { frame.options.max_level = value; },
-          .value = [](const BudgetFrame& frame) { return std::to_string(frame.options.max_level); }};
+          .get = [](const BudgetFrame& frame) { return frame.run.max_level; },
+          .set = [](BudgetFrame& frame, int value) { frame.run.max_level = value; },
+          .value = [](const BudgetFrame& frame) { return std::to_string(frame.run.max_level); }};
 }
 
 /// By the screen's columns; the rows follow.
 BudgetSetting size_setting(const Screen& asked) {
   const auto set = [asked](BudgetFrame& frame, int columns) {
     const auto rows = std::lround(static_cast<double>(columns) * asked.rows / asked.columns);
-    frame.scene.camera.screen = resized(asked, columns, std::max(1, static_cast<int>(rows)));
+    frame.run.screen = resized(asked, columns, std::max(1, static_cast<int>(rows)));
   };
   const auto value = [](const BudgetFrame& frame) {
-    return fmt::format("{}x{}", frame.scene.camera.screen.columns, frame.scene.camera.screen.rows);
+    return fmt::format("{}x{}", frame.run.screen.columns, frame.run.screen.rows);
   };
   return {.name = "size",
           .largest_change = 1,
-          .get = [](const BudgetFrame& frame) { return frame.scene.camera.screen.columns; },
+          .get = [](const BudgetFrame& frame) { return frame.run.screen.columns; },
           .set = set,
           .value = value};
 }
@@ -105,21 +103,13 @@ hw::Cycle* interval_of(hw::MachineSpec& spec, const std::string& unit) {
 }  // namespace
 
 FrameOutcome simulate_frame(const BudgetFrame& frame, hw::Cycle max_cycles) {
-  std::istringstream text(run_apart(name_of(frame), [&] {
-    hw::SimulationOptions limited = frame.options;
-    limited.max_cycles = max_cycles;
-    hw::Processor processor("processor", frame.scene, frame.spec, limited);
-    run_simulation();
-    hw::require_finished(processor);
-    const std::vector<hw::BottleneckLink> chain = hw::bottleneck_chain(processor);
-    const hw::BottleneckLink& end = chain.back();
-    const bool closes_loop = std::any_of(chain.begin(), chain.end() - 1,
-                                         [&](const hw::BottleneckLink& link) { return link.unit == end.unit; });
-    return fmt::format("{} {} {:d} {}", processor.cycles(), end.busy, closes_loop, end.unit);
-  }));
-  FrameOutcome outcome;
-  text >> outcome.cycles >> outcome.busy >> outcome.closes_loop >> outcome.unit;
-  return outcome;
+  const Outcome outcome = outcome_of(frame, max_cycles);
+  require_finished(outcome);
+  const std::vector<hw::BottleneckLink>& chain = outcome.bottleneck;
+  const hw::BottleneckLink& end = chain.back();
+  const bool closes_loop = std::any_of(chain.begin(), chain.end() - 1,
+                                       [&](const hw::BottleneckLink& link) { return link.unit == end.unit; });
+  return {outcome.cycles, end.busy, closes_loop, end.unit};
 }
 
 BudgetFrame BudgetSetting::with(BudgetFrame frame, int value_of_it) const {
@@ -129,22 +119,22 @@ BudgetFrame BudgetSetting::with(BudgetFrame frame, int value_of_it) const {
 }
 
 std::vector<BudgetSetting> budget_settings(const BudgetFrame& frame) {
-  return {units_setting(), clock_setting(), level_setting(), size_setting(frame.scene.camera.screen)};
+  return {units_setting(), clock_setting(), level_setting(), size_setting(frame.run.screen)};
 }
 
 std::optional<BudgetSetting> interval_setting(const BudgetFrame& frame, const std::string& unit) {
   BudgetFrame copy = frame;
-  const hw::Cycle* interval = interval_of(copy.spec, unit);
+  const hw::Cycle* interval = interval_of(copy.run.machine, unit);
   if (interval == nullptr || *interval == 1) return std::nullopt;
   const auto get = [unit](const BudgetFrame& of) {
-    hw::MachineSpec spec = of.spec;
+    hw::MachineSpec spec = of.run.machine;
     return static_cast<int>(*interval_of(spec, unit));
   };
   return BudgetSetting{
       .name = unit + ".interval",
       .largest_change = 1,
       .get = get,
-      .set = [unit](BudgetFrame& of, int value) { *interval_of(of.spec, unit) = static_cast<hw::Cycle>(value); },
+      .set = [unit](BudgetFrame& of, int value) { *interval_of(of.run.machine, unit) = static_cast<hw::Cycle>(value); },
       .value = [get](const BudgetFrame& of) { return std::to_string(get(of)); }};
 }
 

@@ -5,24 +5,21 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "hw_model/machine_spec.h"
-#include "hw_model/processor.h"
+#include "run/run.h"
 
 namespace pyrasim::cli {
 
 /// A frame on a machine, as asked for or with some settings changed.
 struct BudgetFrame {
-  Scene scene;
-  hw::MachineSpec spec;
-  hw::SimulationOptions options;
+  Run run;
+  std::shared_ptr<const Scene> scene;
   std::map<std::string, std::string> changed;  ///< settings and their values, to name the frame by
-
-  double fps(hw::Cycle cycles) const { return spec.clock_mhz * 1e6 / static_cast<double>(cycles); }
 };
 
 /// How a frame went, and what kept it from being faster: the end of its bottleneck chain (hw_model/report).

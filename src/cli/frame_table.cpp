@@ -22,11 +22,10 @@ std::string grouped(std::uint64_t number) {
   return text;
 }
 
-std::string frame_title(const std::string& scene, const Camera& camera) {
-  const Screen& screen = camera.screen;
+std::string frame_title(const std::string& scene, const Screen& screen, const std::optional<PixelWindow>& window) {
   std::string title = fmt::format("{} at {}x{} pixels", one_line(scene), screen.columns, screen.rows);
-  if (!camera.window) return title;
-  const auto& [column, row, columns, rows] = *camera.window;
+  if (!window) return title;
+  const auto& [column, row, columns, rows] = *window;
   return fmt::format("{}, {}x{} of them from column {}, row {}", title, columns, rows, column, row);
 }
 
@@ -45,7 +44,7 @@ std::string frame_lines(const FrameStatistics& frame, int max_level) {
 
 std::string rendering_table(const std::string& scene, const Camera& camera, const Method& method,
                             const FrameStatistics& frame) {
-  const std::string title = frame_title(scene, camera);
+  const std::string title = frame_title(scene, camera.screen, camera.window);
   if (!method.pyramid) return fmt::format("{}, {}\n\n{}", title, method.name(), ray_line(frame));
   return fmt::format("{}, MAX_LEVEL {}\n\n{}", title, method.pyramids.max_level,
                      frame_lines(frame, method.pyramids.max_level));

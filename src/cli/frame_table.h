@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "render/frame_statistics.h"
@@ -15,7 +16,7 @@ namespace pyrasim::cli {
 std::string grouped(std::uint64_t number);
 
 /// "scenes/keel.json at 640x480 pixels", and which of them where there is a window.
-std::string frame_title(const std::string& scene, const Camera& camera);
+std::string frame_title(const std::string& scene, const Screen& screen, const std::optional<PixelWindow>& window);
 
 /// Rays, subdivisions, and the cases of each level.
 std::string frame_lines(const FrameStatistics& frame, int max_level);

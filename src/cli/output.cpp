@@ -7,10 +7,10 @@
 #include <memory>
 
 #include "cli/command.h"
-#include "cli/interrupt.h"
 #include "error.h"
 #include "files/output_file.h"
 #include "image/write_image.h"
+#include "run/interrupt.h"
 #include "text/utf8.h"
 #include "version.h"
 

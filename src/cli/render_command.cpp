@@ -8,9 +8,9 @@
 
 #include "cli/command.h"
 #include "cli/frame_table.h"
-#include "cli/interrupt.h"
 #include "cli/output_plan.h"
 #include "cli/statistics_document.h"
+#include "run/interrupt.h"
 
 namespace pyrasim::cli {
 namespace {

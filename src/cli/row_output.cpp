@@ -5,10 +5,10 @@
 
 #include <iostream>
 
-#include "cli/interrupt.h"
-#include "cli/run_apart.h"
+#include "cli/command.h"
 #include "error.h"
 #include "files/output_file.h"
+#include "run/interrupt.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -51,20 +51,22 @@ void RowOutput::finish(const std::string& text) {
   print(table_, text);
 }
 
-void make_rows(const std::vector<std::string>& names, const std::function<void(std::size_t)>& make_row) {
+void make_rows(const std::vector<std::string>& names, int at_once,
+               const std::function<std::optional<Task>(std::size_t)>& prepare,
+               const std::function<void(std::size_t, const std::optional<Outcome>&)>& take) {
   std::size_t done = 0;
-  const auto make_all = [&] {
-    for (; done < names.size(); ++done) {
-      stop_if_interrupted();
-      make_row(done);
-    }
+  TaskList list{.size = names.size(), .what = "its simulation", .prepare = prepare};
+  list.take = [&](std::size_t k, const std::optional<Outcome>& outcome) {
+    take(k, outcome);
+    ++done;
   };
+  list.progress = [&](std::size_t k) { return progress_bar(fmt::format("simulating {} of {}", k + 1, names.size())); };
   const auto how_far = [&] {
     return fmt::format("with {} of {} rows done{}", done, names.size(),
                        done < names.size() ? ", in " + names[done] : "");
   };
   try {
-    run_interruptibly(make_all, how_far);
+    run_interruptibly([&] { execute(list, at_once); }, how_far);
   } catch (const Interrupted&) {
     throw;
   } catch (const Error& error) {
@@ -73,6 +75,14 @@ void make_rows(const std::vector<std::string>& names, const std::function<void(s
   } catch (const std::bad_alloc&) {
     throw RunError(fmt::format("{} ({} of {} rows done): out of memory", names[done], done, names.size()));
   }
+}
+
+void JobOption::add(const Command& command) {
+  command
+      .add_integer("--jobs", jobs, 0, 1024,
+                   "rows to make at the same time, each in a process of its own; 0: one for each core; results do not "
+                   "depend on it")
+      .show_default();
 }
 
 }  // namespace pyrasim::cli

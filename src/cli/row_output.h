@@ -4,8 +4,12 @@
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "cli/command_parser.h"
+#include "run/executor.h"
 
 namespace pyrasim::cli {
 
@@ -35,8 +39,18 @@ class RowOutput {
   std::string csv_header_;      ///< as long as it is not written
 };
 
-/// Makes the rows `names`, one after the other, by `make_row`. An Error is thrown on with the row's name and how many
-/// rows are done; so is an interrupt.
-void make_rows(const std::vector<std::string>& names, const std::function<void(std::size_t)>& make_row);
+/// Makes the rows `names`, `at_once` at the same time: `prepare` and `take` as in TaskList. An Error is thrown on with
+/// the row's name and how many rows are done; so is an interrupt.
+void make_rows(const std::vector<std::string>& names, int at_once,
+               const std::function<std::optional<Task>(std::size_t)>& prepare,
+               const std::function<void(std::size_t, const std::optional<Outcome>&)>& take);
+
+/// --jobs: how many rows are made at the same time, each in a process of its own.
+struct JobOption {
+  int jobs = 1;  ///< 0: one for each core
+
+  void add(const Command& command);
+  int at_once() const { return thread_count(jobs); }
+};
 
 }  // namespace pyrasim::cli

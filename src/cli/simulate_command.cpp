@@ -5,16 +5,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/asked_run.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
 #include "cli/revisable_output.h"
-#include "cli/run_simulation.h"
 #include "cli/statistics_document.h"
-#include "hw_model/report/deadlock.h"
-#include "hw_model/trace/occupancies.h"
 #include "hw_model/trace/vcd_trace.h"
+#include "run/interrupt.h"
+#include "run/simulation.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -29,19 +28,10 @@ struct SimulateCommand {
   std::string trace;
 
   void run() const {
-    const Scene scene = frame.load();
-    const hw::MachineSpec spec = machine.load();
-    hw::SimulationOptions options;
-    options.max_level = parse_max_level(frame.max_level, scene.camera.screen);
-    options.edge = frame.edge;
-    options.engine = engine;
-    options.max_cycles = machine.max_cycles;
-    options.threads = thread_count(threads);
-    options.progress = progress_bar("simulating");
-    check_addressable(scene.camera.screen, options.max_level);
-    options.formats = frame.formats(scene.camera.screen, std::int64_t{1} << options.max_level);
+    auto [asked, scene] = asked_run(frame, machine);
+    asked.engine = engine;
     OutputPlan plan;
-    plan.reads("SCENE", scene.files);
+    plan.reads("SCENE", scene->files);
     plan.reads("--machine", machine.file);
     plan.writes("-o", image.file);
     plan.writes("--stats", stats);
@@ -52,27 +42,25 @@ struct SimulateCommand {
     std::optional<RevisableOutput> vcd;
     if (!trace.empty()) vcd.emplace(trace);
 
-    hw::Processor processor("processor", scene, spec, options);
+    Simulation simulation(asked, *scene, {.threads = thread_count(threads), .progress = progress_bar("simulating")});
+    const hw::Processor& processor = simulation.processor();
     std::optional<hw::VcdTrace> vcd_trace;
-    if (vcd) vcd_trace.emplace(processor, vcd->file());
-    std::optional<hw::Occupancies> occupancies;
-    if (statistics) occupancies.emplace(processor);
-    run_interruptibly(run_simulation, [&] {
-      return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
-                         processor.frame_buffer().stored(), processor.image().pixels().size());
-    });
-    hw::require_finished(processor);
+    if (vcd) vcd_trace.emplace(simulation.processor(), vcd->file());
+    if (statistics) simulation.watch_occupancies();
+    Outcome outcome;
+    run_interruptibly([&] { outcome = simulation.run(); },
+                      [&] {
+                        return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
+                                           processor.frame_buffer().stored(), processor.image().pixels().size());
+                      });
+    require_finished(outcome);
     picture.write(processor.image());
     if (vcd) {
       vcd_trace->finish();
       vcd->commit();
     }
-    if (statistics) {
-      occupancies->end_frame(processor.cycles());
-      statistics->write(
-          text_of(simulation_document(frame.scene, scene.camera, options, processor, occupancies->fifos())));
-    }
-    plan.table() << simulation_table(frame.scene, scene.camera, options.max_level, processor);
+    if (statistics) statistics->write(text_of(simulation_document(asked, outcome)));
+    plan.table() << simulation_table(asked, outcome);
   }
 };
 

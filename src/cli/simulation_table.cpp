@@ -7,7 +7,6 @@
 
 #include "cli/frame_table.h"
 #include "cli/statistics_document.h"
-#include "hw_model/report/bottleneck.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
@@ -19,16 +18,14 @@ struct UnitLine {
   std::vector<hw::StageStatistics> units;
 };
 
-std::vector<UnitLine> unit_groups(const hw::Processor& processor) {
+std::vector<UnitLine> unit_groups(const Outcome& outcome) {
   std::vector<UnitLine> lines;
-  for (const hw::Stage* stage : processor.stages()) {
-    const hw::StageStatistics unit = stage->statistics(processor.cycles());
-    const bool is_like_others = dynamic_cast<const hw::IntersectionUnit*>(stage) != nullptr;
-    if (is_like_others && lines.back().name.starts_with("intersection_unit")) {
-      lines.back().units.push_back(unit);
+  for (const UnitAccount& unit : outcome.units) {
+    if (unit.intersects && lines.back().name.starts_with("intersection_unit")) {
+      lines.back().units.push_back(unit.cycles);
       lines.back().name = fmt::format("intersection_units 0-{}", lines.back().units.size() - 1);
     } else {
-      lines.push_back({stage->basename(), {unit}});
+      lines.push_back({unit.name, {unit.cycles}});
     }
   }
   return lines;
@@ -47,59 +44,56 @@ std::string percentages(const std::vector<hw::StageStatistics>& units, hw::Cycle
   return from == to ? to + " %" : fmt::format("{}-{} %", from, to);
 }
 
-std::string unit_lines(const hw::Processor& processor) {
+std::string unit_lines(const Outcome& outcome) {
   using Unit = hw::StageStatistics;
   std::string text =
       fmt::format("\n{:<24}  {:>12}  {:>12}  {:>12}  {:>12}\n", "unit", "busy", "starved", "blocked", "idle");
-  for (const UnitLine& line : unit_groups(processor)) {
-    const auto part = [&](hw::Cycle Unit::*cycles) { return percentages(line.units, cycles, processor.cycles()); };
+  for (const UnitLine& line : unit_groups(outcome)) {
+    const auto part = [&](hw::Cycle Unit::*cycles) { return percentages(line.units, cycles, outcome.cycles); };
     text += fmt::format("{:<24}  {:>12}  {:>12}  {:>12}  {:>12}\n", line.name, part(&Unit::busy), part(&Unit::starved),
                         part(&Unit::blocked), part(&Unit::idle));
   }
-  for (const hw::OmittedUnit& unit : processor.omitted()) {
+  for (const hw::OmittedUnit& unit : outcome.omitted) {
     text += fmt::format("not built: {}; {}\n", unit.name, unit.reason);
   }
   return text;
 }
 
-std::string latency_line(const hw::Processor& processor) {
-  hw::LatencyHistogram all;
-  for (const hw::LatencyHistogram& level : processor.tree_accumulator().latencies()) all += level;
-  return fmt::format("pixel latency {:>12}   cycles at the median, {} at 99 %, {} at most\n",
-                     grouped(all.percentile(0.5)), grouped(all.percentile(0.99)), grouped(all.max()));
+std::string latency_line(const LatencyAccount& latency) {
+  return fmt::format("pixel latency {:>12}   cycles at the median, {} at 99 %, {} at most\n", grouped(latency.p50),
+                     grouped(latency.p99), grouped(latency.max));
 }
 
-std::string slowest_pixel_lines(const hw::Processor& processor) {
+std::string slowest_pixel_lines(const std::vector<SlowPixel>& slowest) {
   std::string text;
-  for (const hw::FinishedPixel& pixel : processor.tree_accumulator().slowest().list()) {
-    const auto [row, column] = processor.place_of(pixel.pixel);
+  for (const SlowPixel& pixel : slowest) {
     text += fmt::format("{:<13} {:>12}   cycles at row {}, column {}; level {}\n", text.empty() ? "slowest" : "",
-                        grouped(pixel.latency), row, column, pixel.deepest);
+                        grouped(pixel.cycles), pixel.row, pixel.column, pixel.level);
   }
   return text;
 }
 
-std::string bottleneck_lines(const hw::Processor& processor) {
-  const hw::LowerBound bound = hw::lower_bound(processor);
+std::string bottleneck_lines(const Outcome& outcome) {
+  const hw::LowerBound& bound = outcome.lower_bound;
   return fmt::format("lower bound   {:>12}   cycles, the work of the {}: {:.1f} % of what the frame took\n",
                      grouped(bound.cycles), bound.unit,
-                     100 * static_cast<double>(bound.cycles) / static_cast<double>(processor.cycles())) +
-         fmt::format("bottleneck    {}\n", hw::bottleneck_text(hw::bottleneck_chain(processor)));
+                     100 * static_cast<double>(bound.cycles) / static_cast<double>(outcome.cycles)) +
+         fmt::format("bottleneck    {}\n", hw::bottleneck_text(outcome.bottleneck));
 }
 
 }  // namespace
 
-std::string simulation_table(const std::string& scene, const Camera& camera, int max_level,
-                             const hw::Processor& processor) {
-  const hw::MachineSpec& spec = processor.spec();
-  const bool met = processor.cycles() <= spec.budget();
+std::string simulation_table(const Run& run, const Outcome& outcome) {
+  const hw::MachineSpec& spec = run.machine;
+  const bool met = outcome.cycles <= spec.budget();
   std::string text =
-      fmt::format("{}, MAX_LEVEL {}, on machine {}\n\n", frame_title(scene, camera), max_level, excerpt(spec.title()));
-  text += frame_lines(processor.statistics(), max_level);
-  text += unit_lines(processor);
-  text += fmt::format("\ncycles        {:>12}   {:.1f} frames per second at {} MHz\n", grouped(processor.cycles()),
-                      frames_per_second(processor), spec.clock_mhz);
-  text += bottleneck_lines(processor) + latency_line(processor) + slowest_pixel_lines(processor);
+      fmt::format("{}, MAX_LEVEL {}, on machine {}\n\n", frame_title(run.scene.name, run.screen, run.window),
+                  run.max_level, excerpt(spec.title()));
+  text += frame_lines(outcome.counts, run.max_level);
+  text += unit_lines(outcome);
+  text += fmt::format("\ncycles        {:>12}   {:.1f} frames per second at {} MHz\n", grouped(outcome.cycles),
+                      frames_per_second(run, outcome.cycles), spec.clock_mhz);
+  text += bottleneck_lines(outcome) + latency_line(outcome.latency) + slowest_pixel_lines(outcome.slowest);
   text += fmt::format("budget        {:>12}   for {} frames per second: {}\n", grouped(spec.budget()), spec.goal_fps,
                       met ? "met" : "missed");
   return text;

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "hw_model/machine_settings.h"
-#include "hw_model/report/bottleneck.h"
 #include "image/image_hash.h"
 #include "version.h"
 
@@ -13,22 +12,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json head(const std::string& scene, const Camera& camera, const std::string& method, int max_level,
-                  const DatapathFormats& formats, EdgePolicy edge) {
-  ordered_json document{{"pyrasim", version()},
-                        {"command", command_line()},
-                        {"scene", scene},
-                        {"method", method},
-                        {"max_level", max_level},
-                        {"edge", edge == EdgePolicy::mean ? "mean" : "drop"},
-                        {"scalar", formats.name()},
-                        {"columns", camera.screen.columns},
-                        {"rows", camera.screen.rows}};
-  if (camera.window) {
-    document["window"] = {{"x", camera.window->column},
-                          {"y", camera.window->row},
-                          {"columns", camera.window->columns},
-                          {"rows", camera.window->rows}};
+ordered_json head(const std::string& scene, const Screen& screen, const std::optional<PixelWindow>& window,
+                  const std::string& method, int max_level, const DatapathFormats& formats, EdgePolicy edge) {
+  ordered_json document{{"pyrasim", version()},     {"command", command_line()}, {"scene", scene},
+                        {"method", method},         {"max_level", max_level},    {"edge", name_of(edge)},
+                        {"scalar", formats.name()}, {"columns", screen.columns}, {"rows", screen.rows}};
+  if (window) {
+    document["window"] = {
+        {"x", window->column}, {"y", window->row}, {"columns", window->columns}, {"rows", window->rows}};
   }
   return document;
 }
@@ -75,114 +66,92 @@ void add_events(ordered_json& document, const DatapathEvents& events, const Data
   add("intersection", formats.intersection, events.intersection);
 }
 
-ordered_json machine_document(const hw::Processor& processor) {
-  const hw::MachineSpec& spec = processor.spec();
+ordered_json machine_document(const Run& run, const Outcome& outcome) {
+  const hw::MachineSpec& spec = run.machine;
   ordered_json omitted = ordered_json::array();
-  for (const hw::OmittedUnit& unit : processor.omitted()) {
-    omitted.push_back({{"name", unit.name}, {"reason", unit.reason}});
-  }
+  for (const hw::OmittedUnit& unit : outcome.omitted) omitted.push_back({{"name", unit.name}, {"reason", unit.reason}});
   ordered_json elaborated = ordered_json::array();
-  for (const hw::Stage* stage : processor.stages()) elaborated.push_back(stage->basename());
-  return {{"name", spec.name},
-          {"settings", hw::settings_document(spec)},
-          {"settings_sha256", hw::settings_sha256(spec)},
-          {"clock_mhz", spec.clock_mhz},
-          {"cycles", processor.cycles()},
-          {"frames_per_second", frames_per_second(processor)},
-          {"budget",
-           {{"goal_fps", spec.goal_fps}, {"cycles", spec.budget()}, {"met", processor.cycles() <= spec.budget()}}},
-          {"elaborated", elaborated},
-          {"omitted", omitted}};
+  for (const UnitAccount& unit : outcome.units) elaborated.push_back(unit.name);
+  return {
+      {"name", spec.name},
+      {"settings", hw::settings_document(spec)},
+      {"settings_sha256", hw::settings_sha256(spec)},
+      {"clock_mhz", spec.clock_mhz},
+      {"cycles", outcome.cycles},
+      {"frames_per_second", frames_per_second(run, outcome.cycles)},
+      {"budget", {{"goal_fps", spec.goal_fps}, {"cycles", spec.budget()}, {"met", outcome.cycles <= spec.budget()}}},
+      {"elaborated", elaborated},
+      {"omitted", omitted}};
 }
 
-ordered_json waits_document(const hw::Processor& processor, const hw::Stage& stage) {
+ordered_json waits_document(const std::vector<WaitAccount>& list) {
   ordered_json waits = ordered_json::array();
-  for (const hw::Wait& wait : hw::waits(processor, stage)) {
-    waits.push_back(
-        {{"fifo", wait.fifo->basename()}, {"for", wait.starved ? "token" : "room"}, {"cycles", wait.cycles}});
+  for (const WaitAccount& wait : list) {
+    waits.push_back({{"fifo", wait.fifo}, {"for", wait.starved ? "token" : "room"}, {"cycles", wait.cycles}});
   }
   return waits;
 }
 
-ordered_json units_document(const hw::Processor& processor) {
+ordered_json units_document(const Outcome& outcome) {
   ordered_json units = ordered_json::array();
-  for (const hw::Stage* stage : processor.stages()) {
-    const hw::StageStatistics statistics = stage->statistics(processor.cycles());
-    units.push_back({{"name", stage->basename()},
-                     {"busy", statistics.busy},
-                     {"starved", statistics.starved},
-                     {"blocked", statistics.blocked},
-                     {"idle", statistics.idle},
-                     {"waits", waits_document(processor, *stage)}});
+  for (const UnitAccount& unit : outcome.units) {
+    units.push_back({{"name", unit.name},
+                     {"busy", unit.cycles.busy},
+                     {"starved", unit.cycles.starved},
+                     {"blocked", unit.cycles.blocked},
+                     {"idle", unit.cycles.idle},
+                     {"waits", waits_document(unit.waits)}});
   }
   return units;
 }
 
 /// Where the frame's cycles went: the chain of causes, and how far the machine is from what its work imposes.
-ordered_json bottleneck_document(const hw::Processor& processor) {
+ordered_json bottleneck_document(const Outcome& outcome) {
   ordered_json chain = ordered_json::array();
-  for (const hw::BottleneckLink& link : hw::bottleneck_chain(processor)) {
+  for (const hw::BottleneckLink& link : outcome.bottleneck) {
     chain.push_back({{"unit", link.unit}, {"busy", link.busy}});
     if (link.waited > 0) chain.back()[link.starved ? "starved_by_next" : "blocked_by_next"] = link.waited;
   }
-  const hw::LowerBound bound = hw::lower_bound(processor);
+  const hw::LowerBound& bound = outcome.lower_bound;
   return {{"chain", chain}, {"lower_bound", {{"unit", bound.unit}, {"cycles", bound.cycles}}}};
 }
 
-ordered_json latency_document(const hw::LatencyHistogram& histogram) {
+ordered_json latency_document(const LatencyAccount& latency) {
   ordered_json classes = ordered_json::array();
-  histogram.for_each_class([&](hw::Cycle last, std::uint64_t pixels) {
-    classes.push_back({{"up_to", last}, {"pixels", pixels}});
-  });
-  return {{"pixels", histogram.count()},
-          {"mean", histogram.mean()},
-          {"p50", histogram.percentile(0.5)},
-          {"p90", histogram.percentile(0.9)},
-          {"p99", histogram.percentile(0.99)},
-          {"max", histogram.max()},
-          {"histogram", classes}};
+  for (const auto& [up_to, pixels] : latency.classes) classes.push_back({{"up_to", up_to}, {"pixels", pixels}});
+  return {{"pixels", latency.pixels}, {"mean", latency.mean}, {"p50", latency.p50},  {"p90", latency.p90},
+          {"p99", latency.p99},       {"max", latency.max},   {"histogram", classes}};
 }
 
-ordered_json latencies_document(const hw::Processor& processor, int max_level) {
+ordered_json latencies_document(const Outcome& outcome, int max_level) {
   ordered_json by_level = ordered_json::array();
-  hw::LatencyHistogram all;
   for (std::size_t level = 0; level <= static_cast<std::size_t>(max_level); ++level) {
-    const hw::LatencyHistogram& histogram = processor.tree_accumulator().latencies()[level];
-    by_level.push_back(latency_document(histogram));
-    all += histogram;
+    by_level.push_back(latency_document(outcome.latency_by_level[level]));
   }
   ordered_json slowest = ordered_json::array();
-  for (const hw::FinishedPixel& pixel : processor.tree_accumulator().slowest().list()) {
-    const auto [row, column] = processor.place_of(pixel.pixel);
-    slowest.push_back({{"row", row}, {"column", column}, {"cycles", pixel.latency}, {"level", pixel.deepest}});
+  for (const SlowPixel& pixel : outcome.slowest) {
+    slowest.push_back({{"row", pixel.row}, {"column", pixel.column}, {"cycles", pixel.cycles}, {"level", pixel.level}});
   }
-  return {{"all", latency_document(all)}, {"by_level", by_level}, {"slowest", slowest}};
+  return {{"all", latency_document(outcome.latency)}, {"by_level", by_level}, {"slowest", slowest}};
 }
 
-ordered_json fifos_document(const hw::Processor& processor, const std::vector<hw::Occupancy>& occupancies) {
+ordered_json fifos_document(const Outcome& outcome) {
   ordered_json fifos = ordered_json::array();
-  for (std::size_t k = 0; k < processor.fifos().size(); ++k) {
-    const hw::FifoBase* fifo = processor.fifos()[k];
-    const hw::FifoStatistics statistics = fifo->statistics(processor.cycles());
-    const double mean = static_cast<double>(statistics.token_cycles) / static_cast<double>(processor.cycles());
-    fifos.push_back(
-        {{"name", fifo->basename()},
-         {"depth", statistics.depth},
-         {"max", statistics.max},
-         {"mean", mean},
-         {"tokens", statistics.tokens},
-         {"reader_starved", statistics.starved},
-         {"writer_blocked", statistics.blocked},
-         {"occupancy", {{"stride", occupancies[k].stride()}, {"tokens", occupancies[k].points(processor.cycles())}}}});
+  for (const FifoAccount& fifo : outcome.fifos) {
+    const double mean = static_cast<double>(fifo.use.token_cycles) / static_cast<double>(outcome.cycles);
+    fifos.push_back({{"name", fifo.name},
+                     {"depth", fifo.use.depth},
+                     {"max", fifo.use.max},
+                     {"mean", mean},
+                     {"tokens", fifo.use.tokens},
+                     {"reader_starved", fifo.use.starved},
+                     {"writer_blocked", fifo.use.blocked},
+                     {"occupancy", {{"stride", fifo.occupancy.stride}, {"tokens", fifo.occupancy.tokens}}}});
   }
   return fifos;
 }
 
 }  // namespace
-
-double frames_per_second(const hw::Processor& processor) {
-  return processor.spec().clock_mhz * 1e6 / static_cast<double>(processor.cycles());
-}
 
 std::string text_of(const ordered_json& document) {
   return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
@@ -192,7 +161,8 @@ ordered_json render_document(const std::string& scene, const Camera& camera, con
                              const DatapathFormats& formats, const Rendering& rendering) {
   const int max_level = method.pyramid ? method.pyramids.max_level : 0;
   const FrameStatistics& statistics = rendering.statistics;
-  ordered_json document = head(scene, camera, method.name(), max_level, formats, method.pyramids.edge);
+  ordered_json document =
+      head(scene, camera.screen, camera.window, method.name(), max_level, formats, method.pyramids.edge);
   add_counts(document, statistics, max_level);
   add_events(document, statistics.arithmetic, formats);
   const std::uint64_t none = statistics.primary_rays() + subdivision_rays * statistics.subdivisions;
@@ -202,19 +172,18 @@ ordered_json render_document(const std::string& scene, const Camera& camera, con
   return document;
 }
 
-ordered_json simulation_document(const std::string& scene, const Camera& camera, const hw::SimulationOptions& options,
-                                 const hw::Processor& processor, const std::vector<hw::Occupancy>& occupancies) {
-  ordered_json document = head(scene, camera, "pyramid", options.max_level, options.formats, options.edge);
-  document["engine"] = options.engine == hw::Engine::decoupled ? "decoupled" : "lockstep";
-  add_counts(document, processor.statistics(), options.max_level);
-  add_events(document, processor.statistics().arithmetic, options.formats);
-  document["rays_by_reuse"] = {{"none", processor.statistics().total_rays()}};
-  document["image"] = {{"sha256", image_sha256(processor.image())}};
-  document["machine"] = machine_document(processor);
-  document["units"] = units_document(processor);
-  document["fifos"] = fifos_document(processor, occupancies);
-  document["bottleneck"] = bottleneck_document(processor);
-  document["pixel_latency"] = latencies_document(processor, options.max_level);
+ordered_json simulation_document(const Run& run, const Outcome& outcome) {
+  ordered_json document = head(run.scene.name, run.screen, run.window, "pyramid", run.max_level, run.formats, run.edge);
+  document["engine"] = name_of(run.engine);
+  add_counts(document, outcome.counts, run.max_level);
+  add_events(document, outcome.counts.arithmetic, run.formats);
+  document["rays_by_reuse"] = {{"none", outcome.counts.total_rays()}};
+  document["image"] = {{"sha256", outcome.image_sha256}};
+  document["machine"] = machine_document(run, outcome);
+  document["units"] = units_document(outcome);
+  document["fifos"] = fifos_document(outcome);
+  document["bottleneck"] = bottleneck_document(outcome);
+  document["pixel_latency"] = latencies_document(outcome, run.max_level);
   return document;
 }
 

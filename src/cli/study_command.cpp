@@ -6,59 +6,63 @@
 #include <optional>
 #include <tuple>
 
+#include "cli/asked_run.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
 #include "cli/row_output.h"
-#include "cli/run_apart.h"
-#include "cli/run_simulation.h"
 #include "error.h"
-#include "hw_model/processor.h"
-#include "hw_model/report/deadlock.h"
 #include "image/image_error.h"
 #include "render/method.h"
 #include "render/picture_memory.h"
+#include "run/executor.h"
+#include "run/interrupt.h"
 #include "study/format_plot.h"
 #include "study/format_study.h"
 
 namespace pyrasim::cli {
 namespace {
 
-/// What a frame in one format comes to, as the process that simulated it sends it.
-struct Measured {
-  std::uint64_t changed_pixels;
-  double psnr;
-  DecisionFlips flips;
-  std::uint64_t rays;
-  std::uint64_t cycles;
-  ArithmeticEvents events;
+/// What every format is measured against: the frame in double, by the renderer, whose picture is the machine's bit for
+/// bit.
+struct DoubleFrame {
+  Image image;
+  std::unique_ptr<Intersector> intersector;
 };
 
-/// What every format is measured against: the frame in double.
-struct Reference {
-  Image image;
-  std::shared_ptr<const Intersector> intersector;
-};
+FormatRow row_of(const NumberFormat& format, const std::optional<Outcome>& outcome) {
+  FormatRow row;
+  row.format = format;
+  if (!outcome) {
+    row.refused = "cannot address the screen";
+    return row;
+  }
+  row.changed_pixels = outcome->format_error->changed_pixels;
+  row.psnr = outcome->format_error->psnr;
+  row.flips = outcome->format_error->flips;
+  row.rays = outcome->counts.total_rays();
+  row.cycles = outcome->cycles;
+  row.events = outcome->counts.arithmetic.view_vectors;
+  row.events += outcome->counts.arithmetic.intersection;
+  return row;
+}
 
 struct NumericsStudy {
   FrameOptions frame;
   MachineOptions machine;
   std::string formats;
   int threads = 0;
+  JobOption jobs;
   std::string csv;
   std::string plot;
 
   void run() const {
-    const Scene scene = frame.load();
-    const int max_level = parse_max_level(frame.max_level, scene.camera.screen);
-    check_addressable(scene.camera.screen, max_level);
+    const auto [asked, scene] = asked_run(frame, machine);
     const std::vector<NumberFormat> list = chosen();
-    check_picture_fits(scene.camera.rendered());
-    const hw::MachineSpec spec = machine.load();
-    hw::check_machine_holds(spec, max_level, scene.camera.screen.columns);
+    const int at_once = std::min(jobs.at_once(), static_cast<int>(list.size()));
+    check_pictures_fit(std::vector(list.size(), asked.rendered()), {asked.rendered()}, at_once);
     OutputPlan plan;
-    plan.reads("SCENE", scene.files);
+    plan.reads("SCENE", scene->files);
     plan.reads("--machine", machine.file);
     plan.writes("--csv", csv);
     plan.writes("--plot", plot, ".svg");
@@ -66,84 +70,65 @@ struct NumericsStudy {
     std::optional<TextOutput> picture;
     if (!plot.empty()) picture.emplace(plot);
     output.header(format_csv_header(), format_table_header());
-    const std::vector<FormatRow> rows = study(list, scene, spec, max_level, output);
+    const std::vector<FormatRow> rows = study(list, asked, scene, at_once, output);
     output.finish(format_verdict(rows));
     if (picture) {
       picture->write(format_plot(rows, fmt::format("{}, {}x{} pixels, MAX_LEVEL {}, against double", frame.scene,
-                                                   scene.camera.screen.columns, scene.camera.screen.rows, max_level)));
+                                                   asked.screen.columns, asked.screen.rows, asked.max_level)));
     }
   }
 
-  std::vector<FormatRow> study(const std::vector<NumberFormat>& list, const Scene& scene, const hw::MachineSpec& spec,
-                               int max_level, RowOutput& output) const {
+  std::vector<FormatRow> study(const std::vector<NumberFormat>& list, const Run& asked,
+                               const std::shared_ptr<const Scene>& scene, int at_once, RowOutput& output) const {
     std::vector<std::string> names;
     names.reserve(list.size());
     for (const NumberFormat& format : list) names.push_back(format.name());
-    std::optional<Reference> reference;
+    std::shared_ptr<const DoubleFrame> reference;
     std::vector<FormatRow> rows;
-    make_rows(names, [&](std::size_t k) {
-      if (!reference) reference = make_reference(scene, max_level);
-      FormatRow row;
-      row.format = list[k];
-      if (!can_address(list[k], scene, max_level)) {
-        row.refused = "cannot address the screen";
-      } else {
-        const Progress bar = progress_bar(fmt::format("simulating {} of {}", k + 1, list.size()));
-        const Measured measured =
-            run_apart_for("its simulation", [&] { return measure(list[k], scene, spec, max_level, *reference, bar); });
-        row.changed_pixels = measured.changed_pixels;
-        row.psnr = measured.psnr;
-        row.flips = measured.flips;
-        row.rays = measured.rays;
-        row.cycles = measured.cycles;
-        row.events = measured.events;
-      }
-      output.row(format_csv_row(row), format_table_row(row));
-      rows.push_back(row);
+    const auto prepare = [&](std::size_t k) -> std::optional<Task> {
+      if (!reference) reference = in_double(*scene, asked);
+      if (!can_address(list[k], asked)) return std::nullopt;
+      return task(list[k], asked, scene, reference, std::max(1, thread_count(threads) / at_once));
+    };
+    make_rows(names, at_once, prepare, [&](std::size_t k, const std::optional<Outcome>& outcome) {
+      rows.push_back(row_of(list[k], outcome));
+      output.row(format_csv_row(rows.back()), format_table_row(rows.back()));
     });
     return rows;
   }
 
-  /// The renderer's picture, which is the machine's bit for bit.
-  Reference make_reference(const Scene& scene, int max_level) const {
+  std::shared_ptr<const DoubleFrame> in_double(const Scene& scene, const Run& asked) const {
     Method pyramids;
-    pyramids.pyramids = {.max_level = max_level, .edge = frame.edge};
-    Reference reference{render(scene, pyramids, {}, threads, progress_bar("rendering in double")).image,
-                        make_intersector(scene)};
+    pyramids.pyramids = {.max_level = asked.max_level, .edge = asked.edge};
+    auto reference = std::make_shared<DoubleFrame>();
+    reference->image = render(scene, pyramids, {}, threads, progress_bar("rendering in double")).image;
+    reference->intersector = make_intersector(scene);
     stop_if_interrupted();
     return reference;
   }
 
-  static bool can_address(const NumberFormat& format, const Scene& scene, int max_level) {
+  static bool can_address(const NumberFormat& format, const Run& asked) {
     try {
-      check_addressing({format, format}, scene.camera.screen, std::int64_t{1} << max_level);
+      check_addressing({format, format}, asked.screen, std::int64_t{1} << asked.max_level);
       return true;
     } catch (const UsageError&) {
       return false;
     }
   }
 
-  Measured measure(const NumberFormat& format, const Scene& scene, const hw::MachineSpec& spec, int max_level,
-                   const Reference& reference, const Progress& progress) const {
-    hw::SimulationOptions options;
-    options.max_level = max_level;
-    options.edge = frame.edge;
-    options.formats = {format, format};
-    options.max_cycles = machine.max_cycles;
-    options.progress = progress;
-    options.intersector = make_intersector(scene, format);
-    hw::Processor processor("processor", scene, spec, options);
-    run_simulation();
-    hw::require_finished(processor);
-    const FrameStatistics statistics = processor.statistics();
-    ArithmeticEvents events = statistics.arithmetic.view_vectors;
-    events += statistics.arithmetic.intersection;
-    return {changed_pixels(processor.image(), reference.image),
-            psnr(processor.image(), reference.image),
-            decision_flips(scene, {*reference.intersector, {}}, {*options.intersector, format}, max_level, threads),
-            statistics.total_rays(),
-            processor.cycles(),
-            events};
+  /// The frame in one format; decisions are compared on so many threads.
+  static Task task(const NumberFormat& format, const Run& asked, const std::shared_ptr<const Scene>& scene,
+                   const std::shared_ptr<const DoubleFrame>& reference, int threads_each) {
+    Task task{asked, scene};
+    task.run.formats = {format, format};
+    task.run.reference = "double";
+    task.measure = [=, max_level = asked.max_level](const Simulation& finished, Outcome& outcome) {
+      outcome.format_error = {changed_pixels(finished.image(), reference->image),
+                              psnr(finished.image(), reference->image),
+                              decision_flips(*scene, {*reference->intersector, {}}, {finished.intersector(), format},
+                                             max_level, threads_each)};
+    };
+    return task;
   }
 
   /// The order of the table: floating point before fixed, then by precision, then by width.
@@ -189,6 +174,7 @@ void add_study_command(const Command& program) {
   options->machine.add_limit(command);
   command.add_integer("--threads", options->threads, 0, 1024, "0: one for each core; results do not depend on it")
       .show_default();
+  options->jobs.add(command);
   command.add_text("--csv", options->csv, "the rows with every count as CSV; - for stdout").type_name("FILE|-");
   command.add_text("--plot", options->plot, "changed pixels and decisions against bits; - for stdout")
       .type_name("FILE.svg|-");

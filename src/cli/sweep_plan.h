@@ -2,12 +2,14 @@
 // Which frames a sweep simulates, on which machines.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/machine_options.h"
-#include "pyramid/terminal_color.h"
-#include "scene/scene.h"
+#include "run/run.h"
 
 namespace pyrasim::cli {
 
@@ -28,11 +30,31 @@ struct MachineAxes {
   explicit MachineAxes(const MachineOptions& options);
 };
 
-/// "0:5" or "0,2,3". Throws UsageError.
-std::vector<int> parse_levels(const std::string& text);
-/// "mean,drop". Throws UsageError.
-std::vector<EdgePolicy> parse_edges(const std::string& text);
-/// "640x480,320x240"; empty: `screen` as it is. Throws UsageError.
-std::vector<Screen> parse_sizes(const std::string& text, const Screen& screen);
+/// One row of the sweep.
+struct SweepPoint {
+  Run run;
+  std::shared_ptr<const Scene> scene;
+  std::vector<std::string> values;  ///< as in SweptMachine
+  std::string set;                  ///< as in SweptMachine
+
+  std::string size() const { return fmt::format("{}x{}", run.screen.columns, run.screen.rows); }
+  /// Whether what its picture is measured against is the other's.
+  bool same_reference(const SweepPoint& other) const {
+    return scene == other.scene && run.screen.columns == other.run.screen.columns &&
+           run.screen.rows == other.run.screen.rows;
+  }
+};
+
+/// What --max-level, --size and --edge name; all combinations of it are made.
+struct FrameAxes {
+  std::string levels = "0:5";
+  std::string sizes;  ///< empty: the scene's own
+  std::string edges = "mean";
+
+  /// The points of one scene, whose files `run` names; the other settings that they share are the run's. Throws
+  /// UsageError.
+  void add_points(std::vector<SweepPoint>& points, const Run& run, const std::shared_ptr<const Scene>& scene,
+                  const MachineAxes& machines) const;
+};
 
 }  // namespace pyrasim::cli

@@ -47,6 +47,7 @@ struct FrameStatistics {
     arithmetic += other.arithmetic;
     return *this;
   }
+  friend bool operator==(const FrameStatistics&, const FrameStatistics&) = default;
 };
 
 }  // namespace pyrasim

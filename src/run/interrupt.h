@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace pyrasim::cli {
+namespace pyrasim {
 
 /// Runs `job`, which SIGINT and SIGTERM end at the next opportunity: it has to ask interrupted(), as progress_bar()
 /// does, or throws Stopped. Where no opportunity comes within a second the program ends all the same; a second signal
@@ -22,4 +22,4 @@ void stop_if_interrupted();
 /// In a process that was forked inside of a job: signals end it at once.
 void end_at_signals();
 
-}  // namespace pyrasim::cli
+}  // namespace pyrasim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/run_simulation.h"
+#include "run/run_simulation.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 
 #include "error.h"
 
-namespace pyrasim::cli {
+namespace pyrasim {
 namespace {
 
 /// SystemC tells AddressSanitizer which stack it changes to, but for the one that sc_start() was called on: without
@@ -49,4 +49,4 @@ void run_simulation() {
   }
 }
 
-}  // namespace pyrasim::cli
+}  // namespace pyrasim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/interrupt.h"
+#include "run/interrupt.h"
 
 #include <poll.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 
 #include "error.h"
 
-namespace pyrasim::cli {
+namespace pyrasim {
 namespace {
 
 constexpr unsigned patience = 1;  ///< seconds that a job has to end by itself
@@ -73,4 +73,4 @@ void stop_if_interrupted() {
 
 void end_at_signals() { handle(SIG_DFL); }
 
-}  // namespace pyrasim::cli
+}  // namespace pyrasim

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes runs in processes of their own, on this host.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "run/outcome.h"
+#include "run/process_pool.h"
+#include "run/run.h"
+#include "run/simulation.h"
+
+namespace pyrasim {
+
+/// One run, and what the process that makes it inherits from this one.
+struct Task {
+  Run run;
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Intersector> intersector = {};  ///< as in HostOptions
+  Measure measure = {};                                 ///< may be empty
+};
+
+/// A list of runs, numbered from 0, and what becomes of their outcomes.
+struct TaskList {
+  std::size_t size = 0;
+  std::string what;  ///< as in JobList
+  /// Called in order, each just before its run begins. None: there is nothing to run, and no outcome.
+  std::function<std::optional<Task>(std::size_t)> prepare = {};
+  /// Called in order, as soon as an outcome and all before it are known.
+  std::function<void(std::size_t, const std::optional<Outcome>&)> take = {};
+  std::function<Progress(std::size_t)> progress = {};  ///< as in JobList
+};
+
+/// Makes all of them, `at_once` at the same time; the same is taken whatever that is. A frame that is not finished is a
+/// failure. Throws as ProcessPool::run() does.
+void execute(const TaskList& list, int at_once);
+
+/// Makes one run; `what` names it. A frame that is not finished is an outcome. Throws likewise.
+Outcome execute(const Task& task, const std::string& what);
+
+}  // namespace pyrasim

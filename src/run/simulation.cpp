@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/simulation.h"
+
+#include <chrono>
+
+#include "run/collect_outcome.h"
+#include "run/run_simulation.h"
+
+namespace pyrasim {
+namespace {
+
+Scene seen_by(const Run& run, Scene scene) {
+  scene.camera.screen = run.screen;
+  scene.camera.window = run.window;
+  return scene;
+}
+
+hw::SimulationOptions options_of(const Run& run, const HostOptions& host,
+                                 const std::shared_ptr<const Intersector>& intersector) {
+  hw::SimulationOptions options;
+  options.max_level = run.max_level;
+  options.edge = run.edge;
+  options.engine = run.engine;
+  options.formats = run.formats;
+  options.intersector = intersector;
+  options.max_cycles = run.max_cycles;
+  options.threads = host.threads;
+  options.progress = host.progress;
+  return options;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Run& run, const Scene& scene, const HostOptions& host)
+    : Simulation(run, seen_by(run, scene), host, Seen()) {}
+
+Simulation::Simulation(const Run& run, const Scene& seen, const HostOptions& host, Seen)
+    : intersector_(host.intersector ? host.intersector : make_intersector(seen, run.formats.intersection)),
+      processor_("processor", seen, run.machine, options_of(run, host, intersector_)) {}
+
+Outcome Simulation::run() {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  run_simulation();
+  const std::chrono::duration<double> elapsed = Clock::now() - begin;
+  Outcome outcome = collect_outcome(processor_, occupancies_ ? &*occupancies_ : nullptr);
+  outcome.host_seconds = elapsed.count();
+  return outcome;
+}
+
+Outcome simulate(const Run& run, const Scene& scene, const HostOptions& host, const Measure& measure) {
+  Simulation simulation(run, scene, host);
+  Outcome outcome = simulation.run();
+  if (measure && outcome.unfinished.empty()) measure(simulation, outcome);
+  return outcome;
+}
+
+}  // namespace pyrasim
