@@ -32,6 +32,8 @@ struct RandomContents {
   int spheres = 0;
   int triangles = 0;
   int planes = 0;
+  int discs = 0;
+  int boxes = 0;
 };
 
 /// Surfaces of mixed sizes scattered in front of the observer, in a random order, lit.
@@ -55,6 +57,17 @@ inline Scene random_scene(std::uint64_t seed, const RandomContents& contents, in
     const glm::dvec3 normal = random_vector(random, glm::dvec3(-1), glm::dvec3(1));
     const double offset = std::uniform_real_distribution<double>(-15, -6)(random);
     scene.objects.push_back(object(Plane{normal, offset}, color()));
+  }
+  for (int k = 0; k < contents.discs; ++k) {
+    const glm::dvec3 center = place();
+    const double radius = std::uniform_real_distribution<double>(0.05, 1.5)(random);
+    scene.objects.push_back(
+        object(Disc{center, random_vector(random, glm::dvec3(-1), glm::dvec3(1)), radius}, color()));
+  }
+  for (int k = 0; k < contents.boxes; ++k) {
+    const glm::dvec3 corner = place();
+    const glm::dvec3 size = random_vector(random, glm::dvec3(0.05), glm::dvec3(1.2));
+    scene.objects.push_back(object(Box{corner, corner + size}, color()));
   }
   for (std::size_t k = scene.objects.size(); k > 1; --k) std::swap(scene.objects[k - 1], scene.objects[random() % k]);
   return scene;

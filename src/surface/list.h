@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "surface/box.h"
+#include "surface/disc.h"
 #include "surface/mesh.h"
 #include "surface/plane.h"
 #include "surface/sphere.h"
@@ -19,11 +21,12 @@
 namespace pyrasim {
 
 /// What an object of a scene file may be.
-using SceneSurface = std::variant<Sphere, Plane, Triangle, Mesh>;
+using SceneSurface = std::variant<Sphere, Plane, Triangle, Mesh, Disc, Box>;
 
 /// What a ray may meet; the order is that of counts, of costs, and within a leaf of the hierarchy.
 template <class Scalar>
-using SurfaceTypes = std::tuple<SphereSurface<Scalar>, PlaneSurface<Scalar>, TriangleSurface<Scalar>>;
+using SurfaceTypes = std::tuple<SphereSurface<Scalar>, PlaneSurface<Scalar>, TriangleSurface<Scalar>,
+                                DiscSurface<Scalar>, BoxSurface<Scalar>>;
 
 inline constexpr std::size_t surface_kinds = std::tuple_size_v<SurfaceTypes<double>>;
 

@@ -6,6 +6,8 @@
 #include <random>
 
 #include "../shipped_scene.h"
+#include "camera/view_vector.h"
+#include "intersect/scene_intersector.h"
 #include "numeric/fix.h"
 #include "numeric/flt.h"
 #include "render/pyramid_renderer.h"

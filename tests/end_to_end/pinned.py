@@ -17,6 +17,11 @@ POLICIES = ("round_robin", "first_free")
 FORMATS = ("double", "float", "fp24", "fix48.20")
 
 
+def tested(surface_tests):
+    """Kinds of surfaces that a scene does not have are not pinned: there may come more."""
+    return {kind: tests for kind, tests in surface_tests.items() if tests}
+
+
 def pinned_results(document):
     """The part of a run's statistics that is pinned."""
     cases = [[level["empty"], level["covered"], level["edge"]] for level in document["cases"]["by_level"]]
@@ -24,7 +29,7 @@ def pinned_results(document):
     return {
         "image": document["image"]["sha256"], "rays": document["rays"]["by_level"], "cases": cases,
         "terminal_nodes": document["terminal_nodes"], "box_tests": work["box_tests"],
-        "surface_tests": work["surface_tests"], "cycles": document["machine"]["cycles"]}
+        "surface_tests": tested(work["surface_tests"]), "cycles": document["machine"]["cycles"]}
 
 
 class Pinned(tool.EndToEnd):
@@ -43,7 +48,8 @@ class Pinned(tool.EndToEnd):
         self.assertEqual(results.keys(), expected.keys())
         for run, result in results.items():
             with self.subTest(run=run):
-                self.assertEqual(result, expected[run])
+                pinned = expected[run]
+                self.assertEqual(result, pinned | {"surface_tests": tested(pinned["surface_tests"])})
 
 
 def update():

@@ -11,7 +11,9 @@ SCENE = tool.scene(
     [{"type": "sphere", "center": [10, 1, 0], "radius": 2, "color": [1, 0.5, 0.25]},
      {"type": "sphere", "center": [9, -1, 1], "radius": 1, "color": [0, 0.5, 0.25]},
      {"type": "plane", "normal": [0, 1, 0], "offset": -2, "color": [0.5, 0.5, 0.5]},
-     {"type": "triangle", "vertices": [[8, 0, -3], [8, 3, -1], [11, -1, 3]], "color": [0, 0, 1]}],
+     {"type": "triangle", "vertices": [[8, 0, -3], [8, 3, -1], [11, -1, 3]], "color": [0, 0, 1]},
+     {"type": "disc", "center": [11, 2, 3], "normal": [-1, 1, 0], "radius": 1, "color": [0, 1, 1]},
+     {"type": "box", "min": [9, 1, 2], "max": [10, 2, 3], "color": [1, 0, 1]}],
     columns=24, rows=18)
 
 # What a setting needs beside it to matter.

@@ -113,6 +113,19 @@ class NaiveRenderer {
     const double r = glm::dot(v, q) / determinant;
     return s >= 0 && r >= 0 && s + r <= 1 ? glm::dot(f, q) / determinant : 0;
   }
+  static double distance(const Disc& disc, const glm::dvec3& v) {
+    const double t = glm::dot(disc.normal, disc.center) / glm::dot(disc.normal, v);
+    return glm::length(v * t - disc.center) <= disc.radius ? t : 0;
+  }
+  static double distance(const Box& box, const glm::dvec3& v) {
+    const glm::dvec3 a = box.min / v;
+    const glm::dvec3 b = box.max / v;
+    const glm::dvec3 enter = glm::min(a, b);
+    const glm::dvec3 leave = glm::max(a, b);
+    const double first = std::max({enter.x, enter.y, enter.z});
+    const double last = std::min({leave.x, leave.y, leave.z});
+    return first <= last ? (first > 0 ? first : last) : 0;
+  }
   static double distance(const Mesh&, const glm::dvec3&) { return 0; }
 
   const Scene& scene_;

@@ -111,10 +111,25 @@ TEST_F(LoadSceneError, WrongTypes) {
   EXPECT_EQ(error_with("/objects/0/center", "[1, 2]"),
             ": /objects/0/center: it has 2 elements; an array of 3 numbers is allowed");
   EXPECT_EQ(error_with("/objects/0/type", "\"cube\""),
-            ": /objects/0/type: \"cube\" is unknown; one of \"sphere\", \"plane\", \"triangle\", \"mesh\" is allowed");
+            ": /objects/0/type: \"cube\" is unknown; one of \"sphere\", \"plane\", \"triangle\", \"mesh\", \"disc\", "
+            "\"box\" is allowed");
   EXPECT_EQ(error_with("/objects/2/vertices", "[[0, 0, 0], [1, 1, 1]]"),
             ": /objects/2/vertices: it has 2 elements; an array of 3 elements is allowed");
   EXPECT_EQ(error_with("/light", "null"), ": /light: it is null; an object is allowed");
+}
+
+TEST_F(LoadSceneError, BoxesWithoutVolume) {
+  for (const std::string max : {"[0, 1, 1]", "[1, -1, 1]", "[1, 1, 0]"}) {
+    const std::string box = R"({"type": "box", "min": [0, 0, 0], "color": [1, 1, 1], "max": )" + max + "}";
+    EXPECT_EQ(error_with("/objects/0", box),
+              ": /objects/0/max: the box has no volume; each component has to be larger than that of min");
+  }
+}
+
+TEST_F(LoadSceneError, DiscsWithoutNormalOrRadius) {
+  const std::string disc = R"({"type": "disc", "center": [0, 0, 0], "color": [1, 1, 1], )";
+  EXPECT_EQ(error_with("/objects/0", disc + R"("normal": [0, 0, 0], "radius": 1})").find(": /objects/0/normal: "), 0U);
+  EXPECT_EQ(error_with("/objects/0", disc + R"("normal": [0, 0, 1], "radius": 0})").find(": /objects/0/radius: "), 0U);
 }
 
 TEST_F(LoadSceneError, NumbersThatAreNotFinite) {

@@ -52,7 +52,9 @@ TEST_F(LoadScene, ReadsEverything) {
     "objects": [{"name": "ball", "type": "sphere", "center": [5, 0, 0], "radius": 1.5, "color": [0.9, 0.5, 0.2]},
                 {"type": "plane", "normal": [0, 2, 0], "offset": -1, "color": [0, 0, 0]},
                 {"type": "triangle", "vertices": [[0, 0, 0], [0, 1, 0], [0, 0, 1]], "color": [1, 1, 1]},
-                {"type": "mesh", "file": "m.obj", "color": [1, 0, 0]}]})");
+                {"type": "mesh", "file": "m.obj", "color": [1, 0, 0]},
+                {"type": "disc", "center": [1, 2, 3], "normal": [0, 3, 0], "radius": 2.5, "color": [1, 0, 0]},
+                {"type": "box", "min": [-1, 0, 1], "max": [0, 2, 1.5], "color": [1, 0, 0]}]})");
   EXPECT_EQ(scene.camera.position, glm::dvec3(1, 2, 3));
   EXPECT_EQ(scene.camera.look_at, glm::dvec3(4, 5, 6));
   EXPECT_EQ(scene.camera.up, glm::dvec3(0, 0, 2));
@@ -60,7 +62,7 @@ TEST_F(LoadScene, ReadsEverything) {
   ASSERT_TRUE(scene.light);
   EXPECT_EQ(scene.light->ambient, 0.25);
   EXPECT_EQ(scene.light->direction, glm::dvec3(1, -1, 0.5));
-  ASSERT_EQ(scene.objects.size(), 4U);
+  ASSERT_EQ(scene.objects.size(), 6U);
   EXPECT_EQ(scene.objects[0].name, "ball");
   EXPECT_EQ(scene.objects[0].color, glm::dvec3(0.9, 0.5, 0.2));
   EXPECT_EQ(std::get<Sphere>(scene.objects[0].surface).center, glm::dvec3(5, 0, 0));
@@ -70,6 +72,11 @@ TEST_F(LoadScene, ReadsEverything) {
   EXPECT_EQ(std::get<Plane>(scene.objects[1].surface).offset, -1);
   EXPECT_EQ(std::get<Triangle>(scene.objects[2].surface).vertices[2], glm::dvec3(0, 0, 1));
   EXPECT_EQ(std::get<Mesh>(scene.objects[3].surface).triangles.size(), 1U);
+  EXPECT_EQ(std::get<Disc>(scene.objects[4].surface).center, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(std::get<Disc>(scene.objects[4].surface).normal, glm::dvec3(0, 3, 0));
+  EXPECT_EQ(std::get<Disc>(scene.objects[4].surface).radius, 2.5);
+  EXPECT_EQ(std::get<Box>(scene.objects[5].surface).min, glm::dvec3(-1, 0, 1));
+  EXPECT_EQ(std::get<Box>(scene.objects[5].surface).max, glm::dvec3(0, 2, 1.5));
 }
 
 TEST_F(LoadScene, LightHasNoAmbientByDefault) {

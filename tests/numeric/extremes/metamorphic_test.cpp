@@ -18,6 +18,13 @@ Scene mapped(Scene scene, const Map& map) {
       plane->normal = map(plane->normal);
     } else if (auto* triangle = std::get_if<Triangle>(&object.surface)) {
       for (glm::dvec3& vertex : triangle->vertices) vertex = map(vertex);
+    } else if (auto* disc = std::get_if<Disc>(&object.surface)) {
+      disc->center = map(disc->center);
+      disc->normal = map(disc->normal);
+    } else if (auto* box = std::get_if<Box>(&object.surface)) {
+      const glm::dvec3 a = map(box->min);
+      const glm::dvec3 b = map(box->max);
+      for (int k = 0; k < 3; ++k) std::tie(box->min[k], box->max[k]) = std::minmax({a[k], b[k]});
     }
   }
   return scene;
@@ -39,7 +46,7 @@ Image rearranged(const Image& image, int columns, int rows, const Source& source
 constexpr int columns = 26;
 constexpr int rows = 19;
 
-Scene lit_scene(std::uint64_t seed) { return random_scene(seed, {9, 9, 1}, columns, rows); }
+Scene lit_scene(std::uint64_t seed) { return random_scene(seed, {9, 9, 1, 5, 5}, columns, rows); }
 
 TEST(ExtremesMetamorphic, MirroredScenesMakeMirroredPictures) {
   const Scene scene = lit_scene(41);

@@ -23,6 +23,10 @@ Scene scaled(Scene scene, int k) {
       plane->offset *= factor;
     } else if (auto* triangle = std::get_if<Triangle>(&object.surface)) {
       for (glm::dvec3& vertex : triangle->vertices) vertex = times(vertex, factor);
+    } else if (auto* disc = std::get_if<Disc>(&object.surface)) {
+      *disc = {times(disc->center, factor), disc->normal, disc->radius * factor};
+    } else if (auto* box = std::get_if<Box>(&object.surface)) {
+      *box = {times(box->min, factor), times(box->max, factor)};
     }
   }
   return scene;
@@ -30,7 +34,7 @@ Scene scaled(Scene scene, int k) {
 
 /// A scene with every kind of surface, seen by a camera that looks askew.
 Scene askew_scene() {
-  Scene scene = random_scene(31, {8, 8, 2}, 24, 18);
+  Scene scene = random_scene(31, {8, 8, 2, 4, 4}, 24, 18);
   scene.camera.position = {-1, 0.3, 0.7};
   scene.camera.look_at = {3, 0.1, 0.2};
   scene.camera.up = {0.1, 1, -0.2};

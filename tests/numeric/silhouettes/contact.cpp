@@ -71,6 +71,34 @@ Meeting<Number> meet(const TriangleSurface<double>& triangle, const Number& y, c
   return {edges, depth / determinant, negative != positive};
 }
 
+template <class Number>
+Meeting<Number> meet(const DiscSurface<double>& disc, const Number& y, const Number& z) {
+  const auto& n = disc.normal;
+  const Number approach = Number(n.x) + Number(n.y) * y + Number(n.z) * z;
+  const int side = sign(approach) * sign(disc.offset);
+  const Number t = sign(approach) == 0 ? Number(0) : Number(disc.offset) / approach;
+  const Number px = t - Number(disc.center.x), py = t * y - Number(disc.center.y), pz = t * z - Number(disc.center.z);
+  const Number room = Number(disc.radius_squared) - (px * px + py * py + pz * pz);
+  return {{approach, room, 0}, t, side > 0 && sign(room) >= 0};
+}
+
+template <class Number>
+Meeting<Number> meet(const BoxSurface<double>& box, const Number& y, const Number& z) {
+  Number enter(-0x1p100), leave(0x1p100);
+  for (const auto& slab : box.slabs) {
+    const Number approach = Number(slab.normal.x) + Number(slab.normal.y) * y + Number(slab.normal.z) * z;
+    if (sign(approach) == 0) {
+      if (slab.lower > 0 || slab.upper < 0) leave = Number(-0x1p100);
+      continue;
+    }
+    Number first = Number(slab.lower) / approach, last = Number(slab.upper) / approach;
+    if (sign(last - first) < 0) std::swap(first, last);
+    if (sign(first - enter) > 0) enter = first;
+    if (sign(last - leave) < 0) leave = last;
+  }
+  return {{leave - enter, leave, 0}, enter, sign(leave - enter) >= 0 && sign(enter) > 0};
+}
+
 /// Which triangles may be hit: those whose vertices' bounds, by the rounding of sheared vertices wider, hold the ray.
 /// One that was left out wrongly would be one that cannot explain a difference.
 class Nearby {
@@ -167,6 +195,31 @@ Verdict verdict(const TriangleSurface<double>& triangle, const Ray& ray, const C
   result.lowest_behind = contact.behind - bound.below_t;
   result.highest_behind = contact.behind + bound.above_t;
   return result;
+}
+
+Verdict verdict(const DiscSurface<double>& disc, const Ray& ray, const Contact& contact, const Rounding& rounding) {
+  const DiscBound bound = error_bound(disc, contact.t, ray, rounding);
+  const double toward = disc.offset < 0 ? -contact.margins[0] : contact.margins[0];
+  const double room = contact.margins[1];
+  return {toward > -bound.plane.approach && room >= -bound.room,
+          toward > bound.plane.approach && room > bound.room,
+          {},
+          contact.behind + (bound.plane.lowest_t - contact.t),
+          contact.behind + (bound.plane.highest_t - contact.t),
+          0,
+          0};
+}
+
+Verdict verdict(const BoxSurface<double>& box, const Ray& ray, const Contact& contact, const Rounding& rounding) {
+  const BoxBound bound = error_bound(box, ray, rounding);
+  const auto& [inside, leave, none] = contact.margins;
+  return {inside >= -(bound.enter + bound.leave) && leave > -bound.leave,
+          inside > bound.enter + bound.leave && contact.t > bound.enter,
+          {},
+          contact.behind - bound.enter,
+          contact.behind + bound.enter,
+          0,
+          0};
 }
 
 /// The hit errs, and the datapath grants it as much again to either side: the range of twice the rounding.

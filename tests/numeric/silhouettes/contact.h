@@ -16,7 +16,8 @@ struct Contact {
   std::uint32_t index;  ///< among the scene's surfaces of that kind
   SurfaceIdentity identity;
   bool hit;
-  std::array<double, 3> margins;  ///< discriminant, centre along the ray | n . d | edge functions
+  std::array<double, 3> margins;  ///< discriminant, centre along the ray | n . d | edge functions |
+                                  ///< n . d, room within the rim | way inside, to the exit
   double t;                       ///< of the hit; of the nearest approach or the triangle's plane where there is none
   double behind;                  ///< t - that of the nearest hit
 };

@@ -172,11 +172,10 @@ SphereBound error_bound(const SphereSurface<double>& sphere, const Ray& ray, con
   return SphereSteps(sphere, ray, rounding).bound();
 }
 
-PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const Rounding& rounding) {
+PlaneBound plane_bound(const Vector<double>& normal, double plane_offset, const Ray& ray, const Rounding& rounding) {
   const double u = rounding.relative;
   const Triple d = direction(ray);
   const Triple slopes = slope_errors(ray, rounding);
-  const auto& normal = plane.normal;
   const Triple n{normal.x, normal.y, normal.z};
   double approach = 0, size = 0, error = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -188,14 +187,87 @@ PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const 
   // The compensated sum adds u of the result and 5u^2 of its terms; fixed point rounds two products instead.
   const double approach_error =
       second_order(rounding) * (error + 5 * u * u * size + 2 * rounding.lost(0)) + u * std::abs(approach);
-  const double offset = std::abs(plane.offset);
+  const double offset = std::abs(plane_offset);
   const double offset_error = u * offset + rounding.lost(1);
-  const double toward = plane.offset < 0 ? -approach : approach;
+  const double toward = plane_offset < 0 ? -approach : approach;
   const auto t = [&](double distance, double cosine, double sign) {
     return cosine > 0 ? distance / cosine * (1 + sign * u) + sign * rounding.lost(1) : infinity;
   };
   return {approach_error, t(offset - offset_error, toward + approach_error, -1),
           t(offset + offset_error, toward - approach_error, 1)};
+}
+
+PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const Rounding& rounding) {
+  return plane_bound(plane.normal, plane.offset, ray, rounding);
+}
+
+/// The place errs by the rounding of the centre, of t times the slope and of the difference, and by t's error.
+DiscBound error_bound(const DiscSurface<double>& disc, double t, const Ray& ray, const Rounding& rounding) {
+  const double u = rounding.relative;
+  const PlaneBound plane = plane_bound(disc.normal, disc.offset, ray, rounding);
+  const double t_error = std::max(t - plane.lowest_t, plane.highest_t - t);
+  if (!(t_error < infinity)) return {plane, infinity};
+  const Triple d = direction(ray);
+  const Triple slopes = slope_errors(ray, rounding);
+  const Triple center{disc.center.x, disc.center.y, disc.center.z};
+  double error = 0, squared = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double product = k == 0 ? 0 : u * std::abs(t * d[k]) + rounding.lost(1);
+    const double place = t * d[k] - center[k];
+    const double place_error =
+        second_order(rounding) * (u * std::abs(center[k]) + rounding.lost(1) + product + std::abs(t) * slopes[k] +
+                                  t_error * (std::abs(d[k]) + slopes[k]) + u * std::abs(place));
+    error += 2 * std::abs(place) * place_error + place_error * place_error;
+    squared += place * place;
+  }
+  error += 3 * u * squared + 3 * rounding.lost(2) + u * disc.radius_squared + rounding.lost(2);
+  return {plane, second_order(rounding) * error};
+}
+
+namespace {
+
+/// How far t of a slab's face may lie from the exact one; infinite where the ray may be parallel to it.
+double face_error(const Vector<double>& normal, double offset, const Ray& ray, const Rounding& rounding) {
+  const Triple d = direction(ray);
+  const double approach = std::abs(normal.x * d[0] + normal.y * d[1] + normal.z * d[2]);
+  const double approach_error = plane_bound(normal, offset, ray, rounding).approach;
+  if (!(approach > approach_error)) return infinity;
+  const double u = rounding.relative;
+  const double t = std::abs(offset) / approach;
+  const double offset_error = u * std::abs(offset) + rounding.lost(1);
+  return second_order(rounding) *
+         ((t * approach_error + offset_error) / (approach - approach_error) + u * t + rounding.lost(1));
+}
+
+}  // namespace
+
+/// A ray that may be parallel to a slab within which the observer is does not enter or leave it near the box. Of the
+/// others those count that may come last, or first.
+BoxBound error_bound(const BoxSurface<double>& box, const Ray& ray, const Rounding& rounding) {
+  const Triple d = direction(ray);
+  std::array<Bounded, 3> enter{}, leave{};
+  double surely_entered = -infinity, surely_left = infinity;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& [normal, lower, upper] = box.slabs[k];
+    const double approach = normal.x * d[0] + normal.y * d[1] + normal.z * d[2];
+    const double error = std::max(face_error(normal, lower, ray, rounding), face_error(normal, upper, ray, rounding));
+    if (error == infinity) {
+      const bool within = lower < 0 && upper > 0;
+      enter[k] = {-infinity, within ? 0 : infinity};
+      leave[k] = {infinity, within ? 0 : infinity};
+      continue;
+    }
+    enter[k] = {std::min(lower / approach, upper / approach), error};
+    leave[k] = {std::max(lower / approach, upper / approach), error};
+    surely_entered = std::max(surely_entered, enter[k].value - error);
+    surely_left = std::min(surely_left, leave[k].value + error);
+  }
+  BoxBound bound{0, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(enter[k].value + enter[k].error < surely_entered)) bound.enter = std::max(bound.enter, enter[k].error);
+    if (!(leave[k].value - leave[k].error > surely_left)) bound.leave = std::max(bound.leave, leave[k].error);
+  }
+  return bound;
 }
 
 TriangleBound error_bound(const TriangleSurface<double>& triangle, const std::array<double, 3>& edges, double t,

@@ -26,6 +26,20 @@ struct PlaneBound {
 };
 PlaneBound error_bound(const PlaneSurface<double>& plane, const Ray& ray, const Rounding& rounding);
 
+/// Of DiscSurface::intersect(): of its plane, and of the radius' square less that of the distance from the centre.
+struct DiscBound {
+  PlaneBound plane;
+  double room;
+};
+/// `t` is exact, that of its plane.
+DiscBound error_bound(const DiscSurface<double>& disc, double t, const Ray& ray, const Rounding& rounding);
+
+/// Of BoxSurface::intersect(): of t where the ray enters, and where it leaves.
+struct BoxBound {
+  double enter, leave;
+};
+BoxBound error_bound(const BoxSurface<double>& box, const Ray& ray, const Rounding& rounding);
+
 /// Of TriangleSurface::intersect(): of the three edge functions, whose signs decide, and the range of t, where it
 /// counts as hit.
 struct TriangleBound {

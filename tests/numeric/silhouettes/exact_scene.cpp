@@ -25,6 +25,11 @@ ExactScene::ExactScene(const Scene& scene) : prepared_(prepare_scene(scene, {}))
   for (const auto& sphere : surfaces_of<SphereSurface>(prepared_)) {
     require(sphere.power > 0, "error bounds are for an observer outside of spheres");
   }
+  for (const auto& box : surfaces_of<BoxSurface>(prepared_)) {
+    const bool outside = std::any_of(box.slabs.begin(), box.slabs.end(),
+                                     [](const auto& slab) { return slab.lower > 0 || slab.upper < 0; });
+    require(outside, "error bounds are for an observer outside of boxes");
+  }
   find_extents();
   find_neighbors();
 }

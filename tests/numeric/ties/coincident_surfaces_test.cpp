@@ -36,7 +36,7 @@ Lattice lattice_before(Random& random, const Camera& camera) {
 }
 
 /// Triangles about the point (0, 0) of a lattice, `corners` of them round a rim.
-Mesh disc(const Lattice& lattice, int corners, double turn) {
+Mesh fan(const Lattice& lattice, int corners, double turn) {
   Mesh mesh;
   mesh.vertices.push_back(lattice.point(0, 0));
   for (int k = 0; k < corners; ++k) {
@@ -59,6 +59,7 @@ std::vector<Pair> pairs(Random& random, const Camera& camera) {
   const Triangle triangle{{a, b, c}};
   const Triangle other{{lattice.point(5, -5), lattice.point(4, 5), lattice.point(-6, 1)}};
   const Sphere sphere{decimal(glm::dvec3(a)), 1.337};
+  const Box box{decimal(b), decimal(b + glm::dvec3(3.125, 2.041, 1.337))};
   return {{"rotated", triangle, Triangle{{b, c, a}}},
           {"rotated twice", triangle, Triangle{{c, a, b}}},
           {"mirrored", triangle, Triangle{{b, a, c}}},
@@ -68,8 +69,11 @@ std::vector<Pair> pairs(Random& random, const Camera& camera) {
           {"planes", lattice.plane(), Plane{-lattice.plane().normal, -lattice.plane().offset}},
           {"planes of other lengths", lattice.plane(), Plane{lattice.plane().normal * 3.0, lattice.plane().offset * 3}},
           {"spheres", sphere, sphere},
-          {"discs", disc(lattice, 7, 0.2), disc(lattice, 12, 0.7)},
-          {"a disc on a plane", disc(lattice, 9, 1), lattice.plane()}};
+          {"fans", fan(lattice, 7, 0.2), fan(lattice, 12, 0.7)},
+          {"a fan on a plane", fan(lattice, 9, 1), lattice.plane()},
+          {"discs", Disc{c, lattice.plane().normal, 3.25}, Disc{a, -lattice.plane().normal, 6.5}},
+          {"a disc on a plane", lattice.plane(), Disc{b, lattice.plane().normal, 4.125}},
+          {"boxes", box, box}};
 }
 
 /// A scene of one surface.

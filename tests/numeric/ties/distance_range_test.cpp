@@ -76,6 +76,39 @@ Case triangle(Random& random, double reach) {
   return {scene, frame.point(a + (b - a) * part + (c - a) * other)};
 }
 
+/// Small and large, seen from the front, nearly along, and at the rim.
+Case disc(Random& random, double reach) {
+  Scene scene = seen_from(random, reach);
+  const double distance = power(random, 0, 7);
+  const glm::dvec3 center = ahead(random, scene.camera, distance);
+  const double radius = std::max(decimal(distance * power(random, -6, 1)), 0.01);
+  glm::dvec3 normal = decimal(random.unit_vector() * power(random, -1, 3));
+  if (random.below(3) == 0) {
+    const glm::dvec3 view = center - scene.camera.position;
+    normal = decimal(cross(view, random.unit_vector()) * power(random, -4, 0)) + decimal(random.vector(-1, 1) * 0.01);
+  }
+  if (!(dot(normal, normal) > 0)) normal = {1, 0, 0};
+  scene.objects = {object(Disc{center, normal, radius})};
+  const ObserverFrame frame(scene.camera);
+  const glm::dvec3 along = normalized(cross(normal, random.unit_vector()));
+  const double part = random.below(3) == 0 ? 1 - power(random, -50, -4) : random.uniform(0, 1);
+  return {scene, frame.point(center + along * (radius * part))};
+}
+
+/// Small and large, flat and long, and around the observer; met anywhere, and at edges.
+Case box(Random& random, double reach) {
+  Scene scene = seen_from(random, reach);
+  const double distance = power(random, 0, 7);
+  const glm::dvec3 middle = ahead(random, scene.camera, distance);
+  glm::dvec3 half;
+  for (int axis = 0; axis < 3; ++axis) half[axis] = std::max(decimal(distance * power(random, -6, 0.6)), 0.002);
+  const Box box{decimal(middle - half), decimal(middle + half)};
+  scene.objects = {object(box)};
+  glm::dvec3 target = middle + random.vector(-1, 1) * half;
+  if (random.below(3) == 0) target[0] = middle[0] + half[0] * (1 - power(random, -50, -4));
+  return {scene, ObserverFrame(scene.camera).point(target)};
+}
+
 struct Tightness {
   int hits = 0;
   int coarsely_known = 0;
@@ -133,6 +166,8 @@ void expect_ranges(const char* what, const Make& make) {
 TEST(DistanceRange, HoldsTheExactHitOfASphere) { expect_ranges("sphere", sphere); }
 TEST(DistanceRange, HoldsTheExactHitOfAPlane) { expect_ranges("plane", plane); }
 TEST(DistanceRange, HoldsTheExactHitOfATriangle) { expect_ranges("triangle", triangle); }
+TEST(DistanceRange, HoldsTheExactHitOfADisc) { expect_ranges("disc", disc); }
+TEST(DistanceRange, HoldsTheExactHitOfABox) { expect_ranges("box", box); }
 
 }  // namespace
 }  // namespace pyrasim

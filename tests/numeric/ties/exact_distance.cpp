@@ -50,6 +50,41 @@ std::optional<Real> distance(const Triangle& triangle, const WorldRay& ray) {
   return ahead(dot(normal, vertex[0]) / approach);
 }
 
+std::optional<Real> distance(const Disc& disc, const WorldRay& ray) {
+  const RealVector normal = written(disc.normal);
+  const RealVector center = written(disc.center) - ray.origin;
+  const Real approach = dot(normal, ray.direction);
+  if (approach == Real(0)) return std::nullopt;
+  const Real t = dot(normal, center) / approach;
+  const RealVector from_center = ray.direction * t - center;
+  const Real radius = written(disc.radius);
+  return dot(from_center, from_center) <= radius * radius ? ahead(t) : std::nullopt;
+}
+
+/// The nearest of the six faces' hits ahead that lie between the other two pairs.
+std::optional<Real> distance(const Box& box, const WorldRay& ray) {
+  const RealVector lower = written(box.min) - ray.origin;
+  const RealVector upper = written(box.max) - ray.origin;
+  const std::array<Real, 3> d{ray.direction.x, ray.direction.y, ray.direction.z};
+  const std::array<Real, 3> low{lower.x, lower.y, lower.z};
+  const std::array<Real, 3> high{upper.x, upper.y, upper.z};
+  std::optional<Real> nearest;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (d[k] == Real(0)) continue;
+    for (const Real& face : {low[k], high[k]}) {
+      const Real t = face / d[k];
+      bool inside = t > Real(0);
+      for (std::size_t other = 0; other < 3; ++other) {
+        if (other == k) continue;
+        const Real at = d[other] * t;
+        inside &= !(at < low[other]) && !(at > high[other]);
+      }
+      if (inside && (!nearest || t < *nearest)) nearest = t;
+    }
+  }
+  return nearest;
+}
+
 std::optional<Real> distance(const Mesh&, const WorldRay&) { return std::nullopt; }
 
 }  // namespace

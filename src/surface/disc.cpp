@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/disc.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "surface/error_bounds.h"
+#include "surface/plane_distance.h"
+#include "surface/slope_bounds.h"
+#include "surface/vectors.h"
+
+namespace pyrasim {
+namespace {
+
+/// What the scene says of the plane: the normal's decimal numbers, and the centre's, which lies within reach.
+BoundingPlane bounding_plane(const DiscSurface<double>& disc, const RoundingUnits& rounding) {
+  return {disc.normal, disc.offset, 3 * largest(disc.normal) * rounding.written(reach(disc))};
+}
+
+double radius_of(const DiscSurface<double>& disc) { return std::sqrt(disc.radius_squared); }
+
+/// By how much the disc reaches beyond its centre along x.
+double depth_of(const DiscSurface<double>& disc) {
+  const double squared = dot(disc.normal, disc.normal);
+  const double across = std::max(0.0, 1 - disc.normal.x * disc.normal.x / squared);
+  return radius_of(disc) * std::sqrt(across);
+}
+
+}  // namespace
+
+Disc Disc::read(const JsonReader& reader, const SceneReading&) {
+  return {reader.member("center").vec3(coordinates), read_direction(reader.member("normal")),
+          reader.member("radius").number(lengths)};
+}
+
+/// The plane as of Plane::prepared(): through the centre, its offset from the observer exact and rounded once.
+Prepared<DiscSurface> Disc::prepared(const Preparation& preparation) const {
+  const Scaling scaling{-std::ilogb(largest(normal))};
+  Quadruple offset = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Quadruple away = static_cast<Quadruple>(center[axis]) - preparation.frame.position()[axis];
+    offset += static_cast<Quadruple>(normal[axis]) * away;
+  }
+  auto shading = flat_shading(preparation.frame.direction(normalized(normal)), preparation.lighting);
+  shading.normal = preparation.frame.direction(scaling(normal, 1));
+  return {{shading.normal, scaling(static_cast<double>(offset), 1), preparation.frame.point(center), radius * radius},
+          shading};
+}
+
+double reach(const DiscSurface<double>& disc) {
+  return std::max(largest(disc.center) + radius_of(disc), std::abs(disc.offset));
+}
+
+/// The regular octagon about the disc.
+std::optional<BoundingBox> slope_bounds(const DiscSurface<double>& disc, double margin) {
+  constexpr std::size_t corners = 8;
+  const auto normal = normalized(disc.normal);
+  const auto& least = std::abs(normal.x) < std::abs(normal.y)
+                          ? (std::abs(normal.x) < std::abs(normal.z) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1))
+                          : (std::abs(normal.y) < std::abs(normal.z) ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1));
+  const auto along = normalized(cross(normal, least));
+  const auto across = cross(normal, along);
+  const double corner = radius_of(disc) / std::cos(std::numbers::pi / corners) * (1 + 0x1p-40);
+  std::array<glm::dvec3, corners> points;
+  for (std::size_t k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / corners;
+    points[k] = disc.center + along * (corner * std::cos(angle)) + across * (corner * std::sin(angle));
+  }
+  return slope_bounds_of_hull(points, margin);
+}
+
+/// No ray meets it further away than its rim is.
+double relative_error(const DiscSurface<double>& disc, const RoundingUnits& rounding) {
+  const double furthest = length(disc.center) + radius_of(disc);
+  return plane_error(bounding_plane(disc, rounding), rounding).within(furthest);
+}
+
+DistanceRange distance_range(const DiscSurface<double>& disc, const Vector<double>& direction, double t,
+                             const RoundingUnits& rounding) {
+  const double size = reach(disc);
+  const double margin = 4 * rounding.relative * size + 2 * rounding.absolute + rounding.written(size);
+  const double depth = depth_of(disc) * (1 + 0x1p-40) + margin;
+  const DistanceRange plane = plane_distance_range(bounding_plane(disc, rounding), direction, rounding);
+  return within_bounds({std::min(t, plane.lowest), std::max(t, plane.highest)}, disc.center.x - depth,
+                       disc.center.x + depth, direction);
+}
+
+}  // namespace pyrasim
