@@ -135,8 +135,8 @@ void Processor::list_omitted_testers() {
   }
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
     if (contents_.surfaces[kind] > 0) continue;
-    omitted_.push_back({fmt::format("intersection_unit.{}_tester", surface_traits[kind].name),
-                        fmt::format("the scene has no {}", surface_traits[kind].name)});
+    omitted_.push_back(
+        {fmt::format("intersection_unit.{}_tester", surface_traits[kind].name), "the scene has no such surface"});
   }
 }
 

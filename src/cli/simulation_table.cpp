@@ -44,6 +44,18 @@ std::string percentages(const std::vector<hw::StageStatistics>& units, hw::Cycle
   return from == to ? to + " %" : fmt::format("{}-{} %", from, to);
 }
 
+/// Those that are left out for the same reason on one line.
+std::string omitted_lines(const std::vector<hw::OmittedUnit>& omitted) {
+  std::string text;
+  for (std::size_t k = 0; k < omitted.size();) {
+    const std::string& reason = omitted[k].reason;
+    text += "not built: " + omitted[k].name;
+    while (++k < omitted.size() && omitted[k].reason == reason) text += ", " + omitted[k].name;
+    text += "; " + reason + "\n";
+  }
+  return text;
+}
+
 std::string unit_lines(const Outcome& outcome) {
   using Unit = hw::StageStatistics;
   std::string text =
@@ -53,10 +65,7 @@ std::string unit_lines(const Outcome& outcome) {
     text += fmt::format("{:<24}  {:>12}  {:>12}  {:>12}  {:>12}\n", line.name, part(&Unit::busy), part(&Unit::starved),
                         part(&Unit::blocked), part(&Unit::idle));
   }
-  for (const hw::OmittedUnit& unit : outcome.omitted) {
-    text += fmt::format("not built: {}; {}\n", unit.name, unit.reason);
-  }
-  return text;
+  return text + omitted_lines(outcome.omitted);
 }
 
 std::string latency_line(const LatencyAccount& latency) {

@@ -128,7 +128,7 @@ TEST_F(SceneBytes, EachCounts) {
 
 TEST_F(SceneBytes, OfWhatCannotBeReadAgainAreUnknown) {
   put(in_folder("scene.json"), "abc");
-  for (const std::string other : {std::string("/dev/null"), in_folder("gone.obj").string()}) {
+  for (const std::string& other : {std::string("/dev/null"), in_folder("gone.obj").string()}) {
     EXPECT_EQ(sha256_of_files({in_folder("scene.json"), other}), "") << other;
   }
 }

@@ -52,7 +52,7 @@ TEST(Simulation, IsTheSameInAProcessOfItsOwn) {
   EXPECT_EQ(here.image_sha256, image_sha256(rendering.image));
   EXPECT_EQ(here.format_error->changed_pixels, 0U);
   EXPECT_EQ(here.format_error->psnr, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(here.units.size(), 10U);
+  EXPECT_EQ(here.units.size(), 11U);
   EXPECT_EQ(here.latency.pixels, 40U * 30U);
   for (const FifoAccount& fifo : here.fifos) EXPECT_TRUE(fifo.occupancy.tokens.empty());
 }
