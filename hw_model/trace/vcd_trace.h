@@ -5,6 +5,7 @@
 #include <optional>
 #include <queue>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "files/output_file.h"
@@ -37,7 +38,9 @@ class VcdTrace final : public EventSink {
     Cycle at;
     std::size_t signal;
     Change change;
-    auto operator<=>(const Item&) const = default;
+    friend bool operator>(const Item& a, const Item& b) {
+      return std::tie(a.at, a.signal, a.change) > std::tie(b.at, b.signal, b.change);
+    }
   };
   struct Signal {
     std::string end;                   ///< of a line: its code

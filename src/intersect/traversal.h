@@ -12,8 +12,8 @@
 namespace pyrasim {
 
 /// One walk over the hierarchy `nodes` from `root` (as Node::child), whatever is sought and whatever leaves hold.
-/// query.met(boxes): bit k, box k of a node may hold it; query.behind(boxes, k): not any more; leaf(reference) looks
-/// there. The nearest child comes first; the others wait.
+/// query.met(node): bit k, box k of the node may hold it; query.behind(node, k): not any more; leaf(reference) looks
+/// there. The first child that may comes first; the others wait.
 ///
 /// Inlined by force: kept in registers, the state of a walk costs a third less time than in memory.
 template <class Node, class Query, class Leaf>
@@ -31,14 +31,14 @@ template <class Node, class Query, class Leaf>
     if (current >= 0) {
       if (here.met != 0) *top++ = here;
       here.node = &nodes[static_cast<std::size_t>(current)];
-      here.met = query.met(here.node->boxes);
+      here.met = query.met(*here.node);
       work.box_tests += here.node->children;
     } else {
       leaf(current);
     }
     std::size_t child = 0;
     const auto lowest_met = [&] { return child = static_cast<std::size_t>(std::countr_zero(here.met)); };
-    while (here.met == 0 || query.behind(here.node->boxes, lowest_met())) {
+    while (here.met == 0 || query.behind(*here.node, lowest_met())) {
       if (top == stack.data()) return;
       here = *--top;
     }

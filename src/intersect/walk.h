@@ -45,9 +45,9 @@ class Walk {
   }
 
   // The query of traverse().
-  unsigned met(const SlopeBoxes<Scalar>& boxes) const { return met_boxes(boxes, ray_, depth_limit_); }
-  bool behind(const SlopeBoxes<Scalar>& boxes, std::size_t k) const {
-    return static_cast<DepthLimit<Scalar>>(boxes.depth[k]) > depth_limit_;
+  unsigned met(const WideNode<Scalar>& node) const { return met_boxes(node.boxes, ray_, depth_limit_); }
+  bool behind(const WideNode<Scalar>& node, std::size_t k) const {
+    return static_cast<DepthLimit<Scalar>>(node.boxes.depth[k]) > depth_limit_;
   }
 
  private:

@@ -8,50 +8,12 @@
 #include <utility>
 
 #include "intersect/hierarchy_builder.h"
+#include "intersect/margin.h"
 #include "numeric/number_range.h"
 #include "surface/slope_bounds.h"
 
 namespace pyrasim {
 namespace {
-
-/// Roundings (2^(1-P)) of the largest coordinate by which bounds are grown, so that a ray that a surface counts as hit
-/// never misses the box around it, and results do not depend on the hierarchy. A slope is exact, a bound errs by 1/2 of
-/// a rounding. Of a sphere, the centre errs by 1/2, the component across the ray by 1 in each coordinate, the squares
-/// by 2 of the radius; t, which is compared with the depth of boxes, by 5. Of a triangle, a sheared coordinate errs by
-/// 3/2, and t, a mean of its vertices, by 3. In a narrow format the boxes so become wide, and more surfaces are tested.
-/// There is an exception: where products of coordinates fall below the smallest number of a narrow
-/// format, a test has nothing left to decide by, and a triangle may count as hit by rays far from it; whether it is
-/// asked then depends on the boxes. What preparation may have moved a surface by is added, so that
-/// a box never begins deeper than the range in which an exact hit may lie (distance_range.h).
-constexpr double margin_roundings = 8;
-
-/// How far from a surface a ray may run that the datapath counts as a hit.
-class Margin {
- public:
-  Margin(const NumberFormat& format, const Screen& screen, const RoundingUnits& rounding) : rounding_(rounding) {
-    const double resolution = std::ldexp(1.0, -finest_fraction_bits(format));
-    if (format.kind == NumberKind::fixed) {
-      // Errors are absolute there; the longest view vector multiplies them twice.
-      const double half_y = screen.rows * screen.dy / (2 * screen.dx);
-      const double half_z = screen.columns * screen.dz / (2 * screen.dx);
-      relative_ = absolute_ = margin_roundings * resolution * (1 + half_y * half_y + half_z * half_z);
-    } else {
-      relative_ = std::ldexp(margin_roundings, 1 - format.significand_bits);
-    }
-    absolute_ += square_root_margin * std::sqrt(resolution);
-  }
-
-  double of(double largest_coordinate) const {
-    return relative_ * largest_coordinate + absolute_ + rounding_.written(largest_coordinate);
-  }
-
- private:
-  /// A squared distance is lost with the smallest number; a distance, with its root.
-  static constexpr double square_root_margin = 2;
-  RoundingUnits rounding_;
-  double relative_ = 0;
-  double absolute_ = 0;
-};
 
 /// Nodes of up to node_width children out of a binary hierarchy.
 class Widening {
@@ -210,7 +172,10 @@ class Widening {
 }  // namespace
 
 void build_wide_hierarchy(PreparedScene<double>& scene, const Screen& screen, const NumberFormat& format) {
-  Widening(scene, screen, Margin(format, screen, scene.rounding)).build();
+  const double half_y = screen.rows * screen.dy / (2 * screen.dx);
+  const double half_z = screen.columns * screen.dz / (2 * screen.dx);
+  const double longest_squared = 1 + half_y * half_y + half_z * half_z;
+  Widening(scene, screen, Margin(format, longest_squared, scene.rounding)).build();
 }
 
 }  // namespace pyrasim

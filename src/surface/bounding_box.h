@@ -31,4 +31,11 @@ struct BoundingBox {
   double frontal_area() const { return lower.x <= upper.x ? (upper.y - lower.y) * (upper.z - lower.z) : 0; }
 };
 
+template <class Points>
+BoundingBox box_of(const Points& points) {
+  BoundingBox box;
+  for (const glm::dvec3& point : points) box.include(point);
+  return box;
+}
+
 }  // namespace pyrasim

@@ -96,6 +96,8 @@ double reach(const BoxSurface<double>& box) {
   return reach;
 }
 
+std::optional<BoundingBox> bounds(const BoxSurface<double>& box) { return box_of(corners_of(box)); }
+
 std::optional<BoundingBox> slope_bounds(const BoxSurface<double>& box, double margin) {
   return slope_bounds_of_hull(corners_of(box), margin);
 }

@@ -53,6 +53,17 @@ struct BoxSurface {
   Scalar intersect(const ViewRay<Scalar>& ray) const;
   Scalar shade(const Shading& shading, const Lighting<Scalar>&, const Vector<Scalar>& direction, Scalar t) const;
 
+  /// The same surface for rays that start at `place` instead of the origin.
+  BoxSurface seen_from(const Vector<Scalar>& place) const {
+    BoxSurface moved = *this;
+    for (Slab<Scalar>& slab : moved.slabs) {
+      const Scalar away = compensated_dot(slab.normal, place);
+      slab.lower = slab.lower - away;
+      slab.upper = slab.upper - away;
+    }
+    return moved;
+  }
+
   template <class Other, class Number>
   BoxSurface<Other> mapped(const Number& number) const {
     return {{slabs[0].template mapped<Other>(number), slabs[1].template mapped<Other>(number),
@@ -66,6 +77,7 @@ double relative_error(const BoxSurface<double>& box, const RoundingUnits& roundi
 DistanceRange distance_range(const BoxSurface<double>& box, const Vector<double>& direction, double t,
                              const RoundingUnits& rounding);
 std::optional<BoundingBox> slope_bounds(const BoxSurface<double>& box, double margin);
+std::optional<BoundingBox> bounds(const BoxSurface<double>& box);
 
 /// A box along the world's axes, seen from outside and inside.
 struct Box {

@@ -26,6 +26,24 @@ double depth_of(const DiscSurface<double>& disc) {
   return radius_of(disc) * std::sqrt(across);
 }
 
+/// The regular octagon about the disc.
+std::array<glm::dvec3, 8> octagon_about(const DiscSurface<double>& disc) {
+  constexpr std::size_t corners = 8;
+  const auto normal = normalized(disc.normal);
+  const auto& least = std::abs(normal.x) < std::abs(normal.y)
+                          ? (std::abs(normal.x) < std::abs(normal.z) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1))
+                          : (std::abs(normal.y) < std::abs(normal.z) ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1));
+  const auto along = normalized(cross(normal, least));
+  const auto across = cross(normal, along);
+  const double corner = radius_of(disc) / std::cos(std::numbers::pi / corners) * (1 + 0x1p-40);
+  std::array<glm::dvec3, corners> points;
+  for (std::size_t k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / corners;
+    points[k] = disc.center + along * (corner * std::cos(angle)) + across * (corner * std::sin(angle));
+  }
+  return points;
+}
+
 }  // namespace
 
 Disc Disc::read(const JsonReader& reader, const SceneReading&) {
@@ -51,22 +69,10 @@ double reach(const DiscSurface<double>& disc) {
   return std::max(largest(disc.center) + radius_of(disc), std::abs(disc.offset));
 }
 
-/// The regular octagon about the disc.
+std::optional<BoundingBox> bounds(const DiscSurface<double>& disc) { return box_of(octagon_about(disc)); }
+
 std::optional<BoundingBox> slope_bounds(const DiscSurface<double>& disc, double margin) {
-  constexpr std::size_t corners = 8;
-  const auto normal = normalized(disc.normal);
-  const auto& least = std::abs(normal.x) < std::abs(normal.y)
-                          ? (std::abs(normal.x) < std::abs(normal.z) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1))
-                          : (std::abs(normal.y) < std::abs(normal.z) ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1));
-  const auto along = normalized(cross(normal, least));
-  const auto across = cross(normal, along);
-  const double corner = radius_of(disc) / std::cos(std::numbers::pi / corners) * (1 + 0x1p-40);
-  std::array<glm::dvec3, corners> points;
-  for (std::size_t k = 0; k < corners; ++k) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / corners;
-    points[k] = disc.center + along * (corner * std::cos(angle)) + across * (corner * std::sin(angle));
-  }
-  return slope_bounds_of_hull(points, margin);
+  return slope_bounds_of_hull(octagon_about(disc), margin);
 }
 
 /// No ray meets it further away than its rim is.

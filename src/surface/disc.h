@@ -32,6 +32,11 @@ struct DiscSurface {
     return shading.seen_along(direction);
   }
 
+  /// The same surface for rays that start at `place` instead of the origin.
+  DiscSurface seen_from(const Vector<Scalar>& place) const {
+    return {normal, offset - compensated_dot(normal, place), center - place, radius_squared, identity};
+  }
+
   template <class Other, class Number>
   DiscSurface<Other> mapped(const Number& number) const {
     return {number(normal, 0), number(offset, 1), number(center, 1), number(radius_squared, 2), identity};
@@ -43,6 +48,7 @@ double relative_error(const DiscSurface<double>& disc, const RoundingUnits& roun
 DistanceRange distance_range(const DiscSurface<double>& disc, const Vector<double>& direction, double t,
                              const RoundingUnits& rounding);
 std::optional<BoundingBox> slope_bounds(const DiscSurface<double>& disc, double margin);
+std::optional<BoundingBox> bounds(const DiscSurface<double>& disc);
 
 /// A flat disc, seen from both sides. The normal has any length but zero.
 struct Disc {

@@ -36,6 +36,8 @@ Prepared<PlaneSurface> Plane::prepared(const Preparation& preparation) const {
 
 double reach(const PlaneSurface<double>& plane) { return std::abs(plane.offset); }
 
+std::optional<BoundingBox> bounds(const PlaneSurface<double>&) { return std::nullopt; }
+
 /// It has none.
 std::optional<BoundingBox> slope_bounds(const PlaneSurface<double>&, double) { return std::nullopt; }
 

@@ -33,6 +33,11 @@ struct PlaneSurface {
     return shading.seen_along(direction);
   }
 
+  /// The same surface for rays that start at `place` instead of the origin.
+  PlaneSurface seen_from(const Vector<Scalar>& place) const {
+    return {normal, offset - compensated_dot(normal, place), identity};
+  }
+
   template <class Other, class Number>
   PlaneSurface<Other> mapped(const Number& number) const {
     return {number(normal, 0), number(offset, 1), identity, error};
@@ -44,6 +49,7 @@ PlaneError relative_error(const PlaneSurface<double>& plane, const RoundingUnits
 DistanceRange distance_range(const PlaneSurface<double>& plane, const Vector<double>& direction, double t,
                              const RoundingUnits& rounding);
 std::optional<BoundingBox> slope_bounds(const PlaneSurface<double>& plane, double margin);
+std::optional<BoundingBox> bounds(const PlaneSurface<double>& plane);
 
 /// The points p with normal . p = offset. The normal has any length but zero.
 struct Plane {

@@ -125,6 +125,10 @@ Prepared<SphereSurface> Sphere::prepared(const Preparation& preparation) const {
 
 double reach(const SphereSurface<double>& sphere) { return largest(sphere.center) + sphere.radius; }
 
+std::optional<BoundingBox> bounds(const SphereSurface<double>& sphere) {
+  return BoundingBox{sphere.center - sphere.radius, sphere.center + sphere.radius};
+}
+
 std::optional<BoundingBox> slope_bounds(const SphereSurface<double>& sphere, double margin) {
   return slope_bounds_of_sphere(sphere.center, sphere.radius, margin);
 }

@@ -30,6 +30,12 @@ struct SphereSurface {
   Scalar intersect(const ViewRay<Scalar>& ray) const;
   Scalar shade(const Shading&, const Lighting<Scalar>& lighting, const Vector<Scalar>& direction, Scalar t) const;
 
+  /// The same surface for rays that start at `place` instead of the origin.
+  SphereSurface seen_from(const Vector<Scalar>& place) const {
+    const Vector<Scalar> moved = center - place;
+    return {moved, radius_squared, dot(moved, moved) - radius_squared, radius, identity};
+  }
+
   template <class Other, class Number>
   SphereSurface<Other> mapped(const Number& number) const {
     return {number(center, 1), number(radius_squared, 2), number(power, 2), number(radius, 1), identity};
@@ -41,6 +47,7 @@ double relative_error(const SphereSurface<double>& sphere, const RoundingUnits& 
 DistanceRange distance_range(const SphereSurface<double>& sphere, const Vector<double>& direction, double t,
                              const RoundingUnits& rounding);
 std::optional<BoundingBox> slope_bounds(const SphereSurface<double>& sphere, double margin);
+std::optional<BoundingBox> bounds(const SphereSurface<double>& sphere);
 
 struct Sphere {
   static constexpr std::string_view type = "sphere";

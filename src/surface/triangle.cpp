@@ -94,6 +94,15 @@ class ShearedTriangle {
   std::array<std::array<double, 2>, 3> moved_{}, error_{};
 };
 
+std::array<glm::dvec3, 3> vertices_of(const TriangleSurface<double>& triangle) {
+  std::array<glm::dvec3, 3> vertices;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& [x, y, z] = triangle.vertices[k];
+    vertices[k] = {x, y, z};
+  }
+  return vertices;
+}
+
 }  // namespace
 
 Triangle Triangle::read(const JsonReader& reader, const SceneReading&) {
@@ -127,11 +136,10 @@ double reach(const TriangleSurface<double>& triangle) {
   return reach;
 }
 
+std::optional<BoundingBox> bounds(const TriangleSurface<double>& triangle) { return box_of(vertices_of(triangle)); }
+
 std::optional<BoundingBox> slope_bounds(const TriangleSurface<double>& triangle, double margin) {
-  std::array<glm::dvec3, 3> vertices;
-  for (std::size_t k = 0; k < 3; ++k)
-    vertices[k] = {triangle.vertices[k][0], triangle.vertices[k][1], triangle.vertices[k][2]};
-  return slope_bounds_of_hull(vertices, margin);
+  return slope_bounds_of_hull(vertices_of(triangle), margin);
 }
 
 /// t is N . a / N . d with N the normal, twice the area long. The product of t and the determinant is the same for all

@@ -60,6 +60,17 @@ struct TriangleSurface {
     return shading.seen_along(direction);
   }
 
+  /// The same surface for rays that start at `place` instead of the origin.
+  TriangleSurface seen_from(const Vector<Scalar>& place) const {
+    TriangleSurface moved = *this;
+    for (auto& [x, y, z] : moved.vertices) {
+      x = x - place.x;
+      y = y - place.y;
+      z = z - place.z;
+    }
+    return moved;
+  }
+
   template <class Other, class Number>
   TriangleSurface<Other> mapped(const Number& number) const {
     return {number(vertices, 1), identity};
@@ -71,6 +82,7 @@ double relative_error(const TriangleSurface<double>& triangle, const RoundingUni
 DistanceRange distance_range(const TriangleSurface<double>& triangle, const Vector<double>& direction, double t,
                              const RoundingUnits& rounding);
 std::optional<BoundingBox> slope_bounds(const TriangleSurface<double>& triangle, double margin);
+std::optional<BoundingBox> bounds(const TriangleSurface<double>& triangle);
 
 /// Of the points `a`, `b` and `c` in observer's coordinates, which do not lie on one line.
 Prepared<TriangleSurface> prepared_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a ray from anywhere meets: the nearest surface, or whether any. For shadows, mirrors and glass.
+#pragma once
+
+#include <optional>
+#include <type_traits>
+
+#include "intersect/ray_boxes.h"
+#include "intersect/rounded_scene.h"
+#include "intersect/traversal.h"
+#include "surface/view_ray.h"
+
+namespace pyrasim {
+
+/// A surface that a ray met, the first in the scene of those at the same t.
+struct GeneralHit {
+  double t;
+  SurfaceIdentity surface;
+  friend bool operator==(const GeneralHit& a, const GeneralHit& b) {
+    return a.t == b.t && a.surface.order == b.surface.order;
+  }
+};
+
+/// A scene for rays from anywhere, in one number format: each surface is moved so that the ray starts at the origin,
+/// and met by the arithmetic of view rays. Holds references: scene and boxes must outlive it.
+template <class Scalar>
+class GeneralScene {
+ public:
+  GeneralScene(const PreparedScene<Scalar>& scene, const RayBoxes& boxes) : scene_(scene), boxes_(boxes) {}
+
+  /// The hit of the least t within the ray's limit.
+  std::optional<GeneralHit> nearest(const GeneralRay& ray, Work& work) const {
+    Nearest sought{.boxes = boxes_, .first = scene_.nodes.data(), .ray = ray};
+    walk(sought, work);
+    return sought.hit;
+  }
+
+  /// Whether there is a hit within the ray's limit. The walk ends at the first.
+  bool any(const GeneralRay& ray, Work& work) const {
+    Any sought{.boxes = boxes_, .first = scene_.nodes.data(), .ray = ray};
+    walk(sought, work);
+    return sought.met_one;
+  }
+
+ private:
+  struct Nearest {
+    const RayBoxes& boxes;
+    const WideNode<Scalar>* first;
+    GeneralRay ray;  ///< its limit is that of the nearest hit so far
+    std::optional<GeneralHit> hit{};
+
+    unsigned met(const WideNode<Scalar>& node) const { return boxes.met(static_cast<std::size_t>(&node - first), ray); }
+    bool behind(const WideNode<Scalar>&, std::size_t) const { return false; }
+    bool over() const { return false; }
+    void enter(double t, const SurfaceIdentity& surface) {
+      if (t > ray.limit || (hit && t == hit->t && hit->surface.order < surface.order)) return;
+      hit = GeneralHit{t, surface};
+      ray.limit = t;
+    }
+  };
+  struct Any {
+    const RayBoxes& boxes;
+    const WideNode<Scalar>* first;
+    GeneralRay ray;
+    bool met_one = false;
+
+    unsigned met(const WideNode<Scalar>& node) const {
+      return met_one ? 0 : boxes.met(static_cast<std::size_t>(&node - first), ray);
+    }
+    bool behind(const WideNode<Scalar>&, std::size_t) const { return met_one; }
+    bool over() const { return met_one; }
+    void enter(double t, const SurfaceIdentity&) { met_one = met_one || t <= ray.limit; }
+  };
+
+  template <class Sought>
+  void walk(Sought& sought, Work& work) const {
+    const Vector<Scalar> origin = to_scalar<Scalar>(sought.ray.origin);
+    const ViewRay<Scalar> moved(to_scalar<Scalar>(sought.ray.direction));
+    const auto test = [&](std::int32_t leaf) { test_leaf(leaf, origin, moved, sought, work); };
+    if (scene_.apart) test(*scene_.apart);
+    traverse(scene_.nodes.data(), scene_.root, sought, test, work);
+  }
+
+  template <class Sought>
+  void test_leaf(std::int32_t leaf, const Vector<Scalar>& origin, const ViewRay<Scalar>& moved, Sought& sought,
+                 Work& work) const {
+    const SurfaceRun* run = first_run(scene_.runs, leaf);
+    do {
+      with_kind(run->kind, [&](auto kind) {
+        using Surface = std::tuple_element_t<kind, SurfaceTypes<Scalar>>;
+        const typename Surface::Terms terms(moved);
+        for (std::uint32_t k = run->first; k < run->first + run->count && !sought.over(); ++k) {
+          const Surface& surface = std::get<kind>(scene_.kinds).surfaces[k];
+          const Scalar t = surface.seen_from(origin).intersect(terms);
+          ++work.surface_tests[kind];
+          if (t > Scalar(0)) sought.enter(static_cast<double>(t), surface.identity);
+        }
+      });
+    } while (run++->more && !sought.over());
+  }
+
+  const PreparedScene<Scalar>& scene_;
+  const RayBoxes& boxes_;
+};
+
+}  // namespace pyrasim

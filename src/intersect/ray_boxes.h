@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ordinary boxes for the hierarchy of a prepared scene, for rays that start anywhere and run anywhere: those of slope
+// space serve rays from the observer only.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "intersect/margin.h"
+#include "intersect/prepared_scene.h"
+
+namespace pyrasim {
+
+/// A ray from anywhere, in the prepared scene's coordinates; in double, its numbers are values of the datapath's
+/// format. It ends at `limit` times its direction.
+struct GeneralRay {
+  glm::dvec3 origin;
+  glm::dvec3 direction;  ///< of any length but 0; in fixed point at most the root of 3
+  double limit = std::numeric_limits<double>::infinity();
+};
+
+class RayBoxes {
+ public:
+  /// Of the hierarchy below `scene`.root, for a datapath of `format`; `scene` is not yet rounded to it.
+  RayBoxes(const PreparedScene<double>& scene, const NumberFormat& format);
+
+  /// The boxes of the children of node `node` as one ray asks for them: bit k, the ray may meet what box k holds at a t
+  /// of at most ray.limit. Compared in double, whatever the format, with all that the datapath may err by added to the
+  /// boxes: no hit that the datapath counts is missed.
+  unsigned met(std::size_t node, const GeneralRay& ray) const;
+
+ private:
+  struct Box {
+    glm::dvec3 lower;
+    glm::dvec3 upper;
+  };
+  BoundingBox add(const PreparedScene<double>& scene, std::int32_t reference);
+
+  Margin margin_;
+  std::vector<std::array<Box, node_width>> nodes_;  ///< children that there are not have boxes inside out
+};
+
+}  // namespace pyrasim

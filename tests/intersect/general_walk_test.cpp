@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays from anywhere: the hierarchy finds what testing every surface finds, in every number format, and that is what
+// there is.
+#include "intersect/general_walk.h"
+
+#include <gtest/gtest.h>
+
+#include "../numeric/extremes/formats.h"
+#include "../numeric/ties/exact_distance.h"
+
+namespace pyrasim {
+namespace {
+
+Scene mixed_scene(std::uint64_t seed) { return random_scene(seed, {25, 40, 2, 20, 20}, 8, 8); }
+
+/// A scene in one format, for rays from anywhere.
+template <class Scalar>
+class Prepared {
+ public:
+  explicit Prepared(const Scene& scene)
+      : exact_(prepare_scene(scene, FormatOf<Scalar>::value)),
+        boxes_(exact_, FormatOf<Scalar>::value),
+        scene_(rounded<Scalar>(exact_)),
+        every_(scene_) {
+    every_.root = every_.everything;
+  }
+  GeneralScene<Scalar> hierarchy() const { return {scene_, boxes_}; }
+  GeneralScene<Scalar> exhaustive() const { return {every_, boxes_}; }
+  double unit() const { return std::ldexp(1.0, exact_.exponent); }
+
+ private:
+  PreparedScene<double> exact_;
+  RayBoxes boxes_;
+  PreparedScene<Scalar> scene_;
+  PreparedScene<Scalar> every_;
+};
+
+/// From among the surfaces, from outside and from the observer; anywhere, along axes, and with a limit or without.
+template <class Scalar>
+GeneralRay random_ray(Random& random, double unit) {
+  const auto held = [](const glm::dvec3& v) {
+    return glm::dvec3(as_held<Scalar>(v.x), as_held<Scalar>(v.y), as_held<Scalar>(v.z));
+  };
+  glm::dvec3 origin = glm::dvec3(7, 0, 0) + random.vector(-1, 1) * (random.below(4) == 0 ? 14.0 : 5.0);
+  if (random.below(16) == 0) origin = glm::dvec3(0);
+  glm::dvec3 direction = random.unit_vector();
+  if (random.below(8) == 0) direction[static_cast<int>(random.below(3))] = 0;
+  if (random.below(16) == 0) direction = glm::dvec3(0, random.below(2) == 0 ? -1 : 1, 0);
+  GeneralRay ray{held(origin * unit), held(direction)};
+  if (random.below(3) == 0) ray.limit = random.uniform(0, 12) * unit;
+  return ray;
+}
+
+template <class Scalar>
+void expect_what_every_test_finds(int scenes, int rays_each) {
+  SCOPED_TRACE(FormatOf<Scalar>::value.name());
+  Random random(91);
+  int hits = 0;
+  std::uint64_t tests = 0, all_tests = 0;
+  for (int k = 0; k < scenes; ++k) {
+    const Prepared<Scalar> prepared(mixed_scene(static_cast<std::uint64_t>(k) + 1));
+    for (int r = 0; r < rays_each; ++r) {
+      const GeneralRay ray = random_ray<Scalar>(random, prepared.unit());
+      if (!(dot(ray.direction, ray.direction) > 0)) continue;
+      Work work, all;
+      const auto nearest = prepared.hierarchy().nearest(ray, work);
+      const auto expected = prepared.exhaustive().nearest(ray, all);
+      ASSERT_EQ(nearest, expected) << k << " " << r << ": " << (expected ? expected->t : 0);
+      ASSERT_EQ(prepared.hierarchy().any(ray, all), expected.has_value()) << k << " " << r;
+      if (expected) {
+        ASSERT_LE(expected->t, ray.limit);
+      }
+      hits += expected ? 1 : 0;
+      for (const std::uint64_t kind : work.surface_tests) tests += kind;
+      all_tests += 107;
+    }
+  }
+  EXPECT_GT(hits, scenes * rays_each / 4);
+  EXPECT_LT(tests, all_tests / 2) << "the hierarchy is of no use";
+}
+
+TEST(GeneralRays, AMillionInDoubleFindWhatEveryTestFinds) { expect_what_every_test_finds<double>(20, 50000); }
+
+TEST(GeneralRays, FindWhatEveryTestFindsInEveryFormat) {
+  for_every_format([]<class Scalar>() { expect_what_every_test_finds<Scalar>(4, 1500); });
+}
+
+/// The scene as decimal numbers.
+Scene decimal_scene(Scene scene) {
+  for (Object& object : scene.objects) {
+    if (auto* sphere = std::get_if<Sphere>(&object.surface)) {
+      *sphere = {decimal(sphere->center), decimal(sphere->radius)};
+    } else if (auto* plane = std::get_if<Plane>(&object.surface)) {
+      *plane = {decimal(plane->normal), decimal(plane->offset)};
+    } else if (auto* triangle = std::get_if<Triangle>(&object.surface)) {
+      for (glm::dvec3& vertex : triangle->vertices) vertex = decimal(vertex);
+    } else if (auto* disc = std::get_if<Disc>(&object.surface)) {
+      *disc = {decimal(disc->center), decimal(disc->normal), decimal(disc->radius)};
+    } else if (auto* box = std::get_if<Box>(&object.surface)) {
+      *box = {decimal(box->min), decimal(box->max)};
+    }
+  }
+  return scene;
+}
+
+TEST(GeneralRays, MeetWhatThereIs) {
+  const Scene scene = decimal_scene(mixed_scene(5));
+  const Prepared<double> prepared(scene);
+  Random random(17);
+  int hits = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const glm::dvec3 origin = decimal(glm::dvec3(7, 0, 0) + random.vector(-1, 1) * 5.0);
+    const GeneralRay ray{origin * prepared.unit(), random.unit_vector()};
+    WorldRay exact(scene.camera, ray.direction);
+    exact.origin = written(origin);
+    std::optional<Real> nearest;
+    for (const Object& object : scene.objects) {
+      const auto distance = exact_distance(object.surface, exact);
+      if (distance && (!nearest || *distance < *nearest)) nearest = distance;
+    }
+    Work work;
+    const auto found = prepared.hierarchy().nearest(ray, work);
+    ASSERT_EQ(found.has_value(), nearest.has_value()) << k;
+    if (!found) continue;
+    ++hits;
+    ASSERT_NEAR(found->t / prepared.unit(), static_cast<double>(*nearest), 1e-9 * static_cast<double>(*nearest) + 1e-12)
+        << k;
+  }
+  EXPECT_GT(hits, 2000);
+}
+
+}  // namespace
+}  // namespace pyrasim
