@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "frames.h"
+#include "hw_model/processor.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -65,6 +66,19 @@ TEST(PyramidClassifier, ReadsSamplesInTheOrderOfIssueThoughUnitsFinishOutOfOrder
       ASSERT_GT(rays[k].classified, rays[k - 1].classified) << "ray " << k;
     }
     EXPECT_GT(out_of_order, 0U);
+  }
+}
+
+/// Neither a sample nor, where units are chosen, a unit's number is there before the first ray: nothing is known yet.
+TEST(PyramidClassifier, CannotFireBeforeItsFirstSample) {
+  for (const Dispatch dispatch : {Dispatch::round_robin, Dispatch::first_free}) {
+    MachineSpec spec;
+    spec.dispatch = dispatch;
+    const Processor machine(dispatch == Dispatch::first_free ? "first_free" : "round_robin", scene_with_edges(), spec,
+                            {});
+    for (const Stage* stage : machine.stages()) {
+      EXPECT_EQ(stage->next_start().known(), stage->basename() == std::string("pixel_scan")) << stage->name();
+    }
   }
 }
 
