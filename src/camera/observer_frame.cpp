@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "camera/observer_frame.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "numeric/scalar.h"
+#include "numeric/vectors.h"
 
 namespace pyrasim {
 
 glm::dvec3 normalized(const glm::dvec3& v) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const int exponent = -std::ilogb(largest);  // beyond what a double holds if the vector is subnormal; ldexp takes it
+  const int exponent =
+      -std::ilogb(largest(v));  // beyond what a double holds if the vector is subnormal; ldexp takes it
   const glm::dvec3 scaled(std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent));
   return scaled / std::sqrt(dot(scaled, scaled));
 }

@@ -30,46 +30,45 @@ class GeneralScene {
 
   /// The hit of the least t within the ray's limit.
   std::optional<GeneralHit> nearest(const GeneralRay& ray, Work& work) const {
-    Nearest sought{.boxes = boxes_, .first = scene_.nodes.data(), .ray = ray};
+    Nearest sought{{boxes_, scene_.nodes.data(), ray}};
     walk(sought, work);
     return sought.hit;
   }
 
   /// Whether there is a hit within the ray's limit. The walk ends at the first.
   bool any(const GeneralRay& ray, Work& work) const {
-    Any sought{.boxes = boxes_, .first = scene_.nodes.data(), .ray = ray};
+    Any sought{{boxes_, scene_.nodes.data(), ray}};
     walk(sought, work);
     return sought.met_one;
   }
 
  private:
-  struct Nearest {
-    const RayBoxes& boxes;
-    const WideNode<Scalar>* first;
-    GeneralRay ray;  ///< its limit is that of the nearest hit so far
-    std::optional<GeneralHit> hit{};
-
-    unsigned met(const WideNode<Scalar>& node) const { return boxes.met(static_cast<std::size_t>(&node - first), ray); }
-    bool behind(const WideNode<Scalar>&, std::size_t) const { return false; }
-    bool over() const { return false; }
-    void enter(double t, const SurfaceIdentity& surface) {
-      if (t > ray.limit || (hit && t == hit->t && hit->surface.order < surface.order)) return;
-      hit = GeneralHit{t, surface};
-      ray.limit = t;
-    }
-  };
-  struct Any {
+  /// The part of a query that is the ray's.
+  struct Boxes {
     const RayBoxes& boxes;
     const WideNode<Scalar>* first;
     GeneralRay ray;
+
+    unsigned met(const WideNode<Scalar>& node) const { return boxes.met(static_cast<std::size_t>(&node - first), ray); }
+  };
+  /// The ray's limit is that of the nearest hit so far.
+  struct Nearest : Boxes {
+    std::optional<GeneralHit> hit{};
+
+    bool over() const { return false; }
+    bool behind(const WideNode<Scalar>&, std::size_t) const { return false; }
+    void enter(double t, const SurfaceIdentity& surface) {
+      if (t > this->ray.limit || (hit && t == hit->t && hit->surface.order < surface.order)) return;
+      hit = GeneralHit{t, surface};
+      this->ray.limit = t;
+    }
+  };
+  struct Any : Boxes {
     bool met_one = false;
 
-    unsigned met(const WideNode<Scalar>& node) const {
-      return met_one ? 0 : boxes.met(static_cast<std::size_t>(&node - first), ray);
-    }
-    bool behind(const WideNode<Scalar>&, std::size_t) const { return met_one; }
     bool over() const { return met_one; }
-    void enter(double t, const SurfaceIdentity&) { met_one = met_one || t <= ray.limit; }
+    bool behind(const WideNode<Scalar>&, std::size_t) const { return met_one; }
+    void enter(double t, const SurfaceIdentity&) { met_one = met_one || t <= this->ray.limit; }
   };
 
   template <class Sought>

@@ -8,8 +8,8 @@
 #include "camera/observer_frame.h"
 #include "intersect/wide_hierarchy.h"
 #include "numeric/number_range.h"
+#include "numeric/vectors.h"
 #include "surface/preparation.h"
-#include "surface/vectors.h"
 
 namespace pyrasim {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surface/vectors.h"
+#include "numeric/vectors.h"
 
 namespace pyrasim {
 namespace {
@@ -25,11 +25,8 @@ BoundingBox RayBoxes::add(const PreparedScene<double>& scene, std::int32_t refer
     const auto index = static_cast<std::size_t>(reference);
     for (std::size_t k = 0; k < scene.nodes[index].children; ++k) {
       const BoundingBox child = add(scene, scene.nodes[index].child[k]);
-      nodes_[index][k] = {child.lower, child.upper};
+      nodes_[index][k] = child;
       all.include(child);
-    }
-    for (std::size_t k = scene.nodes[index].children; k < node_width; ++k) {
-      nodes_[index][k] = {BoundingBox().lower, BoundingBox().upper};
     }
     return all;
   }

@@ -30,14 +30,10 @@ class RayBoxes {
   unsigned met(std::size_t node, const GeneralRay& ray) const;
 
  private:
-  struct Box {
-    glm::dvec3 lower;
-    glm::dvec3 upper;
-  };
   BoundingBox add(const PreparedScene<double>& scene, std::int32_t reference);
 
   Margin margin_;
-  std::vector<std::array<Box, node_width>> nodes_;  ///< children that there are not have boxes inside out
+  std::vector<std::array<BoundingBox, node_width>> nodes_;  ///< empty for children that there are not
 };
 
 }  // namespace pyrasim

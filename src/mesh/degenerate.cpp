@@ -6,15 +6,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "numeric/vectors.h"
+
 namespace pyrasim {
-namespace {
-
-double largest_component(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-}  // namespace
 
 bool is_degenerate(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  const double size = std::max({largest_component(a), largest_component(b), largest_component(c)});
+  const double size = std::max({largest(a), largest(b), largest(c)});
   if (!(size > 0)) return true;
   // Coordinates now are at most 1: nothing below overflows, and one of them is exactly 1 in magnitude.
   const glm::dvec3 p = a / size;

@@ -13,8 +13,8 @@
 
 #include "json/json_file.h"
 #include "json/json_reader.h"
+#include "numeric/vectors.h"
 #include "surface/reading.h"
-#include "surface/vectors.h"
 
 namespace pyrasim {
 namespace {

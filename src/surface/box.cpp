@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "numeric/vectors.h"
 #include "surface/error_bounds.h"
 #include "surface/plane_distance.h"
 #include "surface/slope_bounds.h"
-#include "surface/vectors.h"
 
 namespace pyrasim {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "numeric/vectors.h"
 #include "surface/error_bounds.h"
-#include "surface/plane_distance.h"
+#include "surface/plane.h"
 #include "surface/slope_bounds.h"
-#include "surface/vectors.h"
 
 namespace pyrasim {
 namespace {
@@ -30,10 +30,13 @@ double depth_of(const DiscSurface<double>& disc) {
 std::array<glm::dvec3, 8> octagon_about(const DiscSurface<double>& disc) {
   constexpr std::size_t corners = 8;
   const auto normal = normalized(disc.normal);
-  const auto& least = std::abs(normal.x) < std::abs(normal.y)
-                          ? (std::abs(normal.x) < std::abs(normal.z) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1))
-                          : (std::abs(normal.y) < std::abs(normal.z) ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1));
-  const auto along = normalized(cross(normal, least));
+  int least = 0;
+  for (int axis = 1; axis < 3; ++axis) {
+    if (std::abs(normal[axis]) <= std::abs(normal[least])) least = axis;
+  }
+  glm::dvec3 away(0);
+  away[least] = 1;
+  const auto along = normalized(cross(normal, away));
   const auto across = cross(normal, along);
   const double corner = radius_of(disc) / std::cos(std::numbers::pi / corners) * (1 + 0x1p-40);
   std::array<glm::dvec3, corners> points;
@@ -51,18 +54,15 @@ Disc Disc::read(const JsonReader& reader, const SceneReading&) {
           reader.member("radius").number(lengths)};
 }
 
-/// The plane as of Plane::prepared(): through the centre, its offset from the observer exact and rounded once.
+/// The plane through the centre, its offset from the observer exact and rounded once.
 Prepared<DiscSurface> Disc::prepared(const Preparation& preparation) const {
-  const Scaling scaling{-std::ilogb(largest(normal))};
   Quadruple offset = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const Quadruple away = static_cast<Quadruple>(center[axis]) - preparation.frame.position()[axis];
     offset += static_cast<Quadruple>(normal[axis]) * away;
   }
-  auto shading = flat_shading(preparation.frame.direction(normalized(normal)), preparation.lighting);
-  shading.normal = preparation.frame.direction(scaling(normal, 1));
-  return {{shading.normal, scaling(static_cast<double>(offset), 1), preparation.frame.point(center), radius * radius},
-          shading};
+  const auto [plane, shading] = prepared_plane(normal, offset, preparation);
+  return {{plane.normal, plane.offset, preparation.frame.point(center), radius * radius}, shading};
 }
 
 double reach(const DiscSurface<double>& disc) {

@@ -7,6 +7,7 @@
 #include "surface/bounding_box.h"
 #include "surface/distance_range.h"
 #include "surface/flat_shading.h"
+#include "surface/plane_distance.h"
 #include "surface/preparation.h"
 #include "surface/reading.h"
 #include "surface/surface.h"
@@ -63,14 +64,12 @@ struct Disc {
   Prepared<DiscSurface> prepared(const Preparation& preparation) const;
 };
 
-/// The t > 0 at which the view ray meets the disc, or 0 where there is none: t is that of its plane (plane.h), and the
+/// The t > 0 at which the view ray meets the disc, or 0 where there is none: t is that of its plane, and the
 /// place there has to lie within the radius, the rim included.
 template <class Scalar>
 Scalar DiscSurface<Scalar>::intersect(const ViewRay<Scalar>& ray) const {
-  const Scalar approach = compensated_dot(normal, ray.direction);
-  if (approach == Scalar(0)) return Scalar(0);
-  const Scalar t = offset / approach;
-  if (!(t > Scalar(0))) return Scalar(0);
+  const Scalar t = plane_distance(normal, offset, ray.direction);
+  if (t == Scalar(0)) return Scalar(0);
   const Vector<Scalar> from_center = ray.direction * t - center;
   return dot(from_center, from_center) <= radius_squared ? t : Scalar(0);
 }

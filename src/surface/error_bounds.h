@@ -5,9 +5,9 @@
 
 #include <limits>
 
+#include "numeric/vectors.h"
 #include "surface/distance_range.h"
 #include "surface/rounding_units.h"
-#include "surface/vectors.h"
 
 namespace pyrasim {
 

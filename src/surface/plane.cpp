@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "surface/vectors.h"
+#include "numeric/vectors.h"
 
 namespace pyrasim {
 namespace {
@@ -20,18 +20,21 @@ Plane Plane::read(const JsonReader& reader, const SceneReading&) {
   return {read_direction(reader.member("normal")), reader.member("offset").number(coordinates)};
 }
 
-/// The offset from the observer's place cancels where that is near the plane and far from the world's origin; it is
-/// worked out exactly and rounded once. The normal keeps the length that it has, but for a power of two: at length 1
-/// its components would be rounded, by as much as the rest of t's computation errs.
-Prepared<PlaneSurface> Plane::prepared(const Preparation& preparation) const {
+Prepared<PlaneSurface> prepared_plane(const glm::dvec3& normal, Quadruple offset, const Preparation& preparation) {
   const Scaling scaling{-std::ilogb(largest(normal))};
+  auto shading = flat_shading(preparation.frame.direction(normalized(normal)), preparation.lighting);
+  shading.normal = preparation.frame.direction(scaling(normal, 1));
+  return {{shading.normal, scaling(static_cast<double>(offset), 1)}, shading};
+}
+
+/// The offset from the observer's place cancels where that is near the plane and far from the world's origin; it is
+/// worked out exactly and rounded once.
+Prepared<PlaneSurface> Plane::prepared(const Preparation& preparation) const {
   Quadruple from_observer = offset;
   for (int axis = 0; axis < 3; ++axis) {
     from_observer -= static_cast<Quadruple>(normal[axis]) * preparation.frame.position()[axis];
   }
-  auto shading = flat_shading(preparation.frame.direction(normalized(normal)), preparation.lighting);
-  shading.normal = preparation.frame.direction(scaling(normal, 1));
-  return {{shading.normal, scaling(static_cast<double>(from_observer), 1)}, shading};
+  return prepared_plane(normal, from_observer, preparation);
 }
 
 double reach(const PlaneSurface<double>& plane) { return std::abs(plane.offset); }

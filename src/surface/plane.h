@@ -28,7 +28,7 @@ struct PlaneSurface {
   SurfaceIdentity identity{};
   PlaneError error{};
 
-  Scalar intersect(const ViewRay<Scalar>& ray) const;
+  Scalar intersect(const ViewRay<Scalar>& ray) const { return plane_distance(normal, offset, ray.direction); }
   Scalar shade(const Shading& shading, const Lighting<Scalar>&, const Vector<Scalar>& direction, Scalar) const {
     return shading.seen_along(direction);
   }
@@ -51,6 +51,11 @@ DistanceRange distance_range(const PlaneSurface<double>& plane, const Vector<dou
 std::optional<BoundingBox> slope_bounds(const PlaneSurface<double>& plane, double margin);
 std::optional<BoundingBox> bounds(const PlaneSurface<double>& plane);
 
+/// The plane through points p with normal . (p - the observer's place) = `offset`, in the world's coordinates. The
+/// normal keeps the length that it has, but for a power of two: at length 1 its components would be rounded, by as much
+/// as the rest of t's computation errs.
+Prepared<PlaneSurface> prepared_plane(const glm::dvec3& normal, Quadruple offset, const Preparation& preparation);
+
 /// The points p with normal . p = offset. The normal has any length but zero.
 struct Plane {
   static constexpr std::string_view type = "plane";
@@ -62,18 +67,5 @@ struct Plane {
   static Plane read(const JsonReader& reader, const SceneReading& reading);
   Prepared<PlaneSurface> prepared(const Preparation& preparation) const;
 };
-
-/// The t > 0 at which the view ray meets the plane, or 0 where it runs parallel or away from it.
-///
-/// A grazing ray's n . d is what is left of terms that cancel: summed plainly it loses as many digits as the angle has
-/// zeros. Compensated it is right to 1 ulp down to angles of 2^-P, and t, one division later, to 2. The offset, which
-/// the observer's distance would spoil likewise, is worked out exactly and rounded once when the scene is prepared.
-template <class Scalar>
-Scalar PlaneSurface<Scalar>::intersect(const ViewRay<Scalar>& ray) const {
-  const Scalar approach = compensated_dot(normal, ray.direction);
-  if (approach == Scalar(0)) return Scalar(0);
-  const Scalar t = offset / approach;
-  return t > Scalar(0) ? t : Scalar(0);
-}
 
 }  // namespace pyrasim

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/vectors.h"
 #include "surface/error_bounds.h"
-#include "surface/vectors.h"
 
 namespace pyrasim {
 namespace {

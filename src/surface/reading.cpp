@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "surface/vectors.h"
+#include "numeric/vectors.h"
 
 namespace pyrasim {
 

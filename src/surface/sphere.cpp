@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "numeric/vectors.h"
 #include "surface/error_bounds.h"
 #include "surface/slope_bounds.h"
-#include "surface/vectors.h"
 
 namespace pyrasim {
 namespace {

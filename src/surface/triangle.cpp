@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "mesh/degenerate.h"
+#include "numeric/vectors.h"
 #include "surface/error_bounds.h"
 #include "surface/slope_bounds.h"
-#include "surface/vectors.h"
 
 namespace pyrasim {
 namespace {
@@ -21,11 +21,9 @@ class ShearedTriangle {
       : shear_(direction),
         u_(rounding.relative),
         a_(rounding.absolute),
-        scale_(direction[static_cast<int>(shear_.kz)]) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (const double coordinate : triangle.vertices[k]) largest_ = std::max(largest_, std::abs(coordinate));
-    }
-    written_ = rounding.written(largest_);
+        scale_(direction[static_cast<int>(shear_.kz)]),
+        largest_(reach(triangle)),
+        written_(rounding.written(largest_)) {
     // Slopes are those of the view vector unless another component than x is its largest.
     slope_error_ = scale_ == 1 ? 0 : 2 * u_ + a_ * (1 + std::abs(scale_));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -87,9 +85,9 @@ class ShearedTriangle {
   double u_;
   double a_;
   double scale_;  ///< the view vector's component along which depths are
-  double written_ = 0;
+  double largest_;
+  double written_;
   double slope_error_ = 0;
-  double largest_ = 0;
   std::array<double, 3> depth_{};
   std::array<std::array<double, 2>, 3> moved_{}, error_{};
 };
@@ -147,21 +145,18 @@ std::optional<BoundingBox> slope_bounds(const TriangleSurface<double>& triangle,
 double relative_error(const TriangleSurface<double>& surface, const RoundingUnits& rounding) {
   const double u = rounding.relative;
   const double a = rounding.absolute;
-  const auto vertex = [&](std::size_t k) {
-    const auto& [x, y, z] = surface.vertices[k];
-    return Vector<double>(x, y, z);
-  };
-  const auto side = vertex(1) - vertex(0);
-  const auto other_side = vertex(2) - vertex(0);
+  const auto vertices = vertices_of(surface);
+  const auto side = vertices[1] - vertices[0];
+  const auto other_side = vertices[2] - vertices[0];
   const auto normal = cross(side, other_side);
-  const double size = std::max({largest(vertex(0)), largest(vertex(1)), largest(vertex(2))});
+  const double size = reach(surface);
   const double extent = 2 * std::max(largest(side), largest(other_side));  // of the triangle, whichever its sides
   const double written = rounding.written(size);
   // Of a sheared vertex, whose size is twice the extent at most; and of the three edge functions.
   const double moved_error = 8 * u * size + 2 * written + 4 * a;
   const double edges_error =
       3 * (8 * extent * moved_error + 2 * moved_error * moved_error + 16 * u * extent * extent + 4 * a);
-  const double volume = std::abs(dot(normal, vertex(0))) - 16 * 0x1p-53 * extent * extent * size;
+  const double volume = std::abs(dot(normal, vertices[0])) - 16 * 0x1p-53 * extent * extent * size;
   const double left = volume - edges_error * size;
   if (!(left > 0)) return infinity;
   const double nearest = volume / (2 * std::sqrt(dot(normal, normal)));
