@@ -12,7 +12,7 @@ Cycle ColorUnit::fire(Ends& ends, const Plan& plan) {
   ends.tree_accumulator.write_made(
       [&] {
         return ColorMessage{palette_.terminal_color(node.which, node.corners, edge_policy_), node.tag,
-                            node.pyramid.level};
+                            node.cell.log2_side};
       },
       now, timing_.latency);
   ends.pyramid_classifier.pop(now);

@@ -33,7 +33,7 @@ struct CornerRequest {
 
 /// A case-3 pyramid to be split by five rays.
 struct SubdivisionRequest {
-  Pyramid pyramid;
+  Cell cell;
 };
 
 struct RayMessage {
@@ -57,7 +57,7 @@ struct SampleMessage {
 /// A case-3 pyramid with what its corners saw: to the controller for subdivision, and from it back to the classifier,
 /// which needs the corners again when the five samples arrive.
 struct NodeMessage {
-  Pyramid pyramid;
+  Cell cell;
   PixelTag tag;
   CornerSamples corners;
   bool subdivide = true;       ///< false: nothing to subdivide, the message only closes a family
@@ -66,17 +66,17 @@ struct NodeMessage {
 
 /// A terminal node: what its corners saw, and where it lies.
 struct TerminalMessage {
-  Pyramid pyramid;
+  Cell cell;
   PixelTag tag;
   CornerSamples corners;
   PyramidCase which;
 };
 
-/// The colour of a terminal node of `level`.
+/// The colour of a terminal node.
 struct ColorMessage {
   FixedColor color;
   PixelTag tag;
-  std::uint32_t level;
+  std::uint32_t log2_side;  ///< of its cell
 };
 
 struct PixelMessage {

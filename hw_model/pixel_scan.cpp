@@ -22,7 +22,7 @@ Cycle PixelScan::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();
   ends.view_vector_generator.write_made(
       [&] {
-        const GridPoint point = pixel_corner(window_, row_, column_, max_level_);
+        const GridPoint point = pixel_cell(window_, row_, column_, max_level_).corner;
         if (!completes_pixel()) return CornerRequest{point, {}};
         return CornerRequest{point, {pixel_++, ends.tree_accumulator.read(now).slot, now}};
       },

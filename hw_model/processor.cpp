@@ -103,6 +103,7 @@ void Processor::build(const StagePlan<Stage>& plan, const FrameSetup& frame) {
   const std::size_t copies = plan.copies == nullptr ? 1 : spec_.*plan.copies;
   for (std::size_t k = 0; k < copies; ++k) {
     auto stage = std::make_unique<Stage>(name_of<Stage>(k).c_str(), frame);
+    stage->belongs_to(box_of<Stage>());
     stages_.push_back(stage.get());
     std::get<Built<Stage>>(built_).push_back(std::move(stage));
   }

@@ -50,23 +50,22 @@ bool PyramidClassifier::plan_sample(Plan& plan) const {
 
 PyramidClassifier::Node::Node(const PyramidClassifier& classifier, const SampleMessage& lower_right)
     : tag(lower_right.tag),
+      cell(pixel_cell(classifier.window_, tag.pixel / classifier.columns_, tag.pixel % classifier.columns_,
+                      classifier.max_level_)),
       corners{classifier.upper_left_, classifier.line_buffer_[classifier.column_],
               classifier.line_buffer_[classifier.column_ - 1], lower_right.sample},
       which(classify(corners)),
-      subdivide(subdivides(which, 0, classifier.max_level_)) {
-  pyramid.corner = pixel_corner(classifier.window_, tag.pixel / classifier.columns_, tag.pixel % classifier.columns_,
-                                classifier.max_level_);
-}
+      subdivide(subdivides(which, cell)) {}
 
 PyramidClassifier::Node::Node(const PyramidClassifier& classifier, std::size_t child, const Sample& lower_right)
     : tag(classifier.parent_.tag),
-      pyramid(subpixel(classifier.parent_.pyramid, child, classifier.max_level_)),
+      cell(subpixel(classifier.parent_.cell, child)),
       corners(subpixel_corners(classifier.parent_.corners, classifier.middle_, child)) {
   corners[3] = lower_right;
   which = classify(corners);
-  subdivide = subdivides(which, pyramid.level, classifier.max_level_);
+  subdivide = subdivides(which, cell);
   // The controller keeps room for a family that can be subdivided further, until it hears of the last one.
-  closes_family = child == 3 && pyramid.level < static_cast<std::uint32_t>(classifier.max_level_);
+  closes_family = child == 3 && cell.log2_side > 0;
 }
 
 Cycle PyramidClassifier::fire(Ends& ends, const Plan& plan) {
@@ -102,12 +101,12 @@ void PyramidClassifier::take_sample(Fifo<SampleMessage>& samples, Cycle now) {
 }
 
 void PyramidClassifier::emit(Ends& ends, const Node& node, Cycle now) {
-  counts_.count(node.which, node.pyramid.level);
+  counts_.count(node.which, level_of(node.cell.log2_side, max_level_));
   if (node.subdivide) ++counts_.subdivisions;
   if (node.to_controller()) {
     subdivision_controller->write_made(
         [&] {
-          return NodeMessage{node.pyramid, node.tag, node.corners, node.subdivide, node.closes_family};
+          return NodeMessage{node.cell, node.tag, node.corners, node.subdivide, node.closes_family};
         },
         now, timing_.latency);
   }
@@ -115,7 +114,7 @@ void PyramidClassifier::emit(Ends& ends, const Node& node, Cycle now) {
   ++counts_.terminal_nodes;
   ends.color_unit.write_made(
       [&] {
-        return TerminalMessage{node.pyramid, node.tag, node.corners, node.which};
+        return TerminalMessage{node.cell, node.tag, node.corners, node.which};
       },
       now, timing_.latency);
 }

@@ -45,7 +45,7 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
     Node(const PyramidClassifier& classifier, std::size_t child, const Sample& lower_right);
 
     const PixelTag& tag;
-    Pyramid pyramid;
+    Cell cell;
     CornerSamples corners;
     PyramidCase which;
     bool subdivide;

@@ -26,14 +26,14 @@ bool SubdivisionController::can_issue() const {
   return pool_kept() + pool_needed() <= pool_;
 }
 
-/// Worked off depth first, a node of level l replaces its entry by four and needs three more on each of the levels l +
-/// 1 to MAX_LEVEL - 1; a pixel has no entry to give back, and needs one more.
+/// Worked off depth first, a node replaces its entry by four and needs three more for each further time that its cell
+/// can be halved; a pixel has no entry to give back, and needs one more.
 std::size_t SubdivisionController::pool_needed() const {
   const bool from_pool = !subpixels_.empty();
   if (!from_pool && pixels_.empty()) return 0;
-  const std::uint32_t level = from_pool ? subpixels_.back().pyramid.level : 0;
-  if (!family_returns(level)) return 0;
-  return 3 * (static_cast<std::size_t>(max_level_) - 1 - level) + (from_pool ? 0 : 1);
+  const Cell& cell = from_pool ? subpixels_.back().cell : pixels_.front().cell;
+  if (!family_returns(cell)) return 0;
+  return 3 * (static_cast<std::size_t>(cell.log2_side) - 1) + (from_pool ? 0 : 1);
 }
 
 Cycle SubdivisionController::fire(Ends& ends, const Plan& plan) {
@@ -48,7 +48,7 @@ Cycle SubdivisionController::fire(Ends& ends, const Plan& plan) {
 }
 
 void SubdivisionController::accept(const NodeMessage& node) {
-  if (node.pyramid.level == 0) {
+  if (node.cell.log2_side == static_cast<std::uint32_t>(max_level_)) {
     pixels_.push_back(node);
     return;
   }
@@ -66,9 +66,9 @@ void SubdivisionController::accept(const NodeMessage& node) {
 void SubdivisionController::issue(Ends& ends, Cycle now) {
   const bool from_pool = !subpixels_.empty();
   const NodeMessage& node = from_pool ? subpixels_.back() : pixels_.front();
-  ends.view_vector_generator.write({node.pyramid}, now, timing_.latency);
+  ends.view_vector_generator.write({node.cell}, now, timing_.latency);
   ends.parents.write(node, now, timing_.latency);
-  if (family_returns(node.pyramid.level)) reserved_ += 4;
+  if (family_returns(node.cell)) reserved_ += 4;
   if (from_pool) {
     subpixels_.pop_back();
   } else {

@@ -62,14 +62,14 @@ class SubdivisionController final : public StageOf<SubdivisionController> {
   bool can_issue() const;
   void accept(const NodeMessage& node);
   void issue(Ends& ends, Cycle now);
-  /// The subpixels of a request of `level` may come back for subdivision.
-  bool family_returns(std::uint32_t level) const { return level + 1 < static_cast<std::uint32_t>(max_level_); }
+  /// The subpixels of a request may come back for subdivision.
+  static bool family_returns(const Cell& request) { return request.log2_side > 1; }
 
   StageTiming timing_;
   std::size_t pool_;
   int max_level_;
-  std::deque<NodeMessage> pixels_;      ///< nodes of level 0, in order of arrival
-  std::vector<NodeMessage> subpixels_;  ///< the pool: nodes of deeper levels, the newest last
+  std::deque<NodeMessage> pixels_;      ///< pixels, in order of arrival
+  std::vector<NodeMessage> subpixels_;  ///< the pool: parts of pixels, the newest last
   std::size_t reserved_ = 0;            ///< entries kept for subpixels under way
   std::size_t unsettled_ = 4;           ///< of them, those of the family that is coming in
   std::size_t most_used_ = 0;

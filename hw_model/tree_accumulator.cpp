@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hw_model/tree_accumulator.h"
 
-#include <algorithm>
-
 namespace pyrasim::hw {
 
 TreeAccumulator::TreeAccumulator(const sc_core::sc_module_name& name, const FrameSetup& frame)
@@ -12,7 +10,7 @@ TreeAccumulator::TreeAccumulator(const sc_core::sc_module_name& name, const Fram
       slots_(frame.spec.pixels_in_flight) {}
 
 bool TreeAccumulator::completes(const ColorMessage& node) const {
-  return node.level == 0 || slots_[node.tag.slot].tree.completed_by(node.level, max_level_);
+  return is_pixel(node) || slots_[node.tag.slot].completed_by(node.log2_side, max_level_);
 }
 
 TreeAccumulator::Plan TreeAccumulator::next(const Ends& ends, Cycle ready) const {
@@ -25,16 +23,15 @@ TreeAccumulator::Plan TreeAccumulator::next(const Ends& ends, Cycle ready) const
 Cycle TreeAccumulator::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();
   const ColorMessage& node = ends.color_unit.front();
-  if (node.level == 0) {
+  if (is_pixel(node)) {
     finish(node.tag, 0, single_node_result(node.color), ends, now);
   } else {
-    auto& [tree, deepest] = slots_[node.tag.slot];
-    tree.add_terminal_node(node.level, node.color, max_level_);
-    deepest = std::max(deepest, node.level);
+    TraceTree& tree = slots_[node.tag.slot];
+    tree.add_terminal_node(node.log2_side, node.color);
     if (tree.complete(max_level_)) {
-      finish(node.tag, deepest, tree.result(max_level_), ends, now);
+      // Of an edge's four parts one is an edge, down to MAX_LEVEL: every tree that was split is as deep.
+      finish(node.tag, static_cast<std::uint32_t>(max_level_), tree.result(max_level_), ends, now);
       tree = {};
-      deepest = 0;
     }
   }
   ends.color_unit.pop(now);

@@ -45,16 +45,14 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
   Ends ends() const { return {FifoReader(*color_unit), FifoWriter(*frame_buffer), FifoWriter(*pixel_scan)}; }
   Plan next(const Ends& ends, Cycle ready) const;
   Cycle fire(Ends& ends, const Plan& plan);
+  /// The whole tree of a pixel of case 1 or 2.
+  bool is_pixel(const ColorMessage& node) const { return node.log2_side == static_cast<std::uint32_t>(max_level_); }
   bool completes(const ColorMessage& node) const;
   void finish(const PixelTag& tag, std::uint32_t deepest, const glm::vec3& color, Ends& ends, Cycle now);
 
   StageTiming timing_;
   int max_level_;
-  struct Slot {
-    TraceTree tree;
-    std::uint32_t deepest = 0;  ///< level of the nodes so far
-  };
-  std::vector<Slot> slots_;
+  std::vector<TraceTree> slots_;
   LatencyByLevel latencies_;
   SlowestPixels slowest_;
 };

@@ -62,11 +62,12 @@ std::size_t ViewVectorGenerator::free_unit(Cycle now) const {
 Cycle ViewVectorGenerator::fire(Ends& ends, const Plan& plan) {
   if (plan.reads_request) {
     ends.made_room = subdivision_controller->full();
-    request_ = subdivision_controller->read(plan.start.at()).pyramid;
+    request_ = subdivision_controller->read(plan.start.at()).cell;
     rays_left_ = subdivision_rays;
   }
   if (rays_left_ > 0) {
-    issue(subdivision_point(request_, subdivision_rays - rays_left_, max_level_), request_.level + 1, {}, plan);
+    issue(subdivision_point(request_, subdivision_rays - rays_left_), level_of(request_.log2_side - 1, max_level_), {},
+          plan);
     --rays_left_;
   } else {
     const CornerRequest& corner = ends.pixel_scan.front();

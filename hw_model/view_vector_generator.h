@@ -71,7 +71,7 @@ class ViewVectorGenerator final : public StageOf<ViewVectorGenerator> {
   ViewVectors view_vectors_;
   bool count_events_;
   int max_level_;
-  Pyramid request_;            ///< whose rays are being issued
+  Cell request_;               ///< whose rays are being issued
   std::size_t rays_left_ = 0;  ///< of request_
   std::size_t unit_ = 0;       ///< that the next ray goes to, or from which first_free counts on
   std::array<std::uint64_t, max_level_limit + 1> rays_by_level_{};

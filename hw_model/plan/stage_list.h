@@ -58,6 +58,13 @@ void for_each_stage(const Visit& visit) {
 template <class Stage>
 inline constexpr const StagePlan<Stage>& plan_of = std::get<StagePlan<Stage>>(stage_list);
 
+/// The name of a stage's box, in which all its copies are.
+template <class Stage>
+std::string box_of() {
+  const auto& [name, left_out, copies] = plan_of<Stage>;
+  return std::string(name) + (copies == nullptr ? "" : "s");
+}
+
 /// The name of a stage, or of the one of its copies that is numbered `number`.
 template <class Stage>
 std::string name_of(std::size_t number) {

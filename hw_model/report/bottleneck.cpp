@@ -23,11 +23,6 @@ std::vector<Wait> waits(const Processor& processor, const Stage& stage) {
 
 namespace {
 
-bool is_intersection_unit(const Stage& stage) { return dynamic_cast<const IntersectionUnit*>(&stage) != nullptr; }
-
-/// The name of the box that a stage belongs to.
-std::string box_of(const Stage& stage) { return is_intersection_unit(stage) ? "intersection_units" : stage.basename(); }
-
 /// Stages that do the same work side by side.
 struct Box {
   Cycle stages = 0;
@@ -38,14 +33,14 @@ struct Box {
 std::map<std::string, Box> boxes_of(const Processor& processor) {
   std::map<std::string, Box> boxes;
   for (const Stage* stage : processor.stages()) {
-    Box& box = boxes[box_of(*stage)];
+    Box& box = boxes[stage->box()];
     ++box.stages;
     box.busy += stage->statistics(processor.cycles()).busy;
   }
   for (const Wire& wire : processor.wires()) {
     const FifoStatistics& fifo = wire.fifo->statistics();
-    boxes[box_of(*wire.reader)].waits[{box_of(*wire.writer), true}] += fifo.starved;
-    boxes[box_of(*wire.writer)].waits[{box_of(*wire.reader), false}] += fifo.blocked;
+    boxes[wire.reader->box()].waits[{wire.writer->box(), true}] += fifo.starved;
+    boxes[wire.writer->box()].waits[{wire.reader->box(), false}] += fifo.blocked;
   }
   return boxes;
 }
@@ -88,19 +83,14 @@ std::string bottleneck_text(const std::vector<BottleneckLink>& chain) {
 
 LowerBound lower_bound(const Processor& processor) {
   LowerBound bound{"", 0};
-  Cycle intersection = 0;
-  Cycle units = 0;
-  for (const Stage* stage : processor.stages()) {
-    const Cycle busy = stage->statistics(processor.cycles()).busy;
-    if (is_intersection_unit(*stage)) {
-      intersection += busy;
-      ++units;
-    } else if (busy > bound.cycles) {
-      bound = {stage->basename(), busy};
-    }
+  Cycle most_stages = 0;
+  for (const auto& [name, box] : boxes_of(processor)) {
+    const Cycle shared = (box.busy + box.stages - 1) / box.stages;
+    if (std::tie(shared, box.stages) <= std::tie(bound.cycles, most_stages)) continue;
+    bound = {name, shared};
+    most_stages = box.stages;
   }
-  const Cycle shared = (intersection + units - 1) / units;
-  return shared >= bound.cycles ? LowerBound{"intersection_units", shared} : bound;
+  return bound;
 }
 
 }  // namespace pyrasim::hw

@@ -3,7 +3,9 @@
 
 #include <cassert>
 #include <cstdint>
+#include <string>
 #include <systemc>
+#include <utility>
 
 #include "hw_model/cycle.h"
 #include "hw_model/fifo/fifo_end.h"
@@ -32,6 +34,10 @@ class Stage : public sc_core::sc_module, public FifoEnd {
   virtual void drain() = 0;
   /// Whether the stage chooses by what has arrived first; then an unseen token can change its next firing.
   virtual bool chooses_by_arrival() const { return false; }
+
+  /// The box of the block diagram that it is, or is one of: "pixel_scan", "intersection_units".
+  const std::string& box() const { return box_; }
+  void belongs_to(std::string box) { box_ = std::move(box); }
 
   /// Statistics of a frame of `cycles` cycles that is over.
   StageStatistics statistics(Cycle cycles) const;
@@ -70,6 +76,7 @@ class Stage : public sc_core::sc_module, public FifoEnd {
   void woken() final;
   void lockstep(const RunControl& control);
 
+  std::string box_;
   Cycle ready_ = 0;
   std::uint64_t firings_ = 0;
   Cycle idle_ = 0;  ///< before the first firing

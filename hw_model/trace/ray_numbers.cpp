@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include "hw_model/intersection_unit.h"
-#include "hw_model/subdivision_controller.h"
-#include "hw_model/view_vector_generator.h"
+#include "hw_model/plan/stage_list.h"
 #include "hw_model/wire.h"
 
 namespace pyrasim::hw {
@@ -13,7 +11,7 @@ namespace {
 
 template <class Kind>
 bool is(const Stage* stage) {
-  return dynamic_cast<const Kind*>(stage) != nullptr;
+  return stage->box() == box_of<Kind>();
 }
 
 }  // namespace

@@ -12,8 +12,9 @@
 namespace pyrasim::cli {
 namespace {
 
-/// Units of one kind, a line of the table.
+/// Units of one box, a line of the table.
 struct UnitLine {
+  std::string box;
   std::string name;
   std::vector<hw::StageStatistics> units;
 };
@@ -21,11 +22,11 @@ struct UnitLine {
 std::vector<UnitLine> unit_groups(const Outcome& outcome) {
   std::vector<UnitLine> lines;
   for (const UnitAccount& unit : outcome.units) {
-    if (unit.intersects && lines.back().name.starts_with("intersection_unit")) {
+    if (!lines.empty() && unit.box == lines.back().box) {
       lines.back().units.push_back(unit.cycles);
-      lines.back().name = fmt::format("intersection_units 0-{}", lines.back().units.size() - 1);
+      lines.back().name = fmt::format("{} 0-{}", unit.box, lines.back().units.size() - 1);
     } else {
-      lines.push_back({unit.name, {unit.cycles}});
+      lines.push_back({unit.box, unit.name, {unit.cycles}});
     }
   }
   return lines;

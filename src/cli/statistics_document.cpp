@@ -30,9 +30,12 @@ void add_counts(ordered_json& document, const FrameStatistics& statistics, int m
   for (std::size_t level = 0; level <= static_cast<std::size_t>(max_level); ++level) {
     rays_by_level.push_back(statistics.rays_by_level[level]);
     const auto& cases = statistics.cases_by_level[level];
-    cases_by_level.push_back({{"empty", cases[static_cast<std::size_t>(PyramidCase::empty)]},
-                              {"covered", cases[static_cast<std::size_t>(PyramidCase::covered)]},
-                              {"edge", cases[static_cast<std::size_t>(PyramidCase::edge)]}});
+    ordered_json counts = ordered_json::object();
+    for (const PyramidCase which : {PyramidCase::empty, PyramidCase::covered, PyramidCase::edge}) {
+      const auto k = static_cast<std::size_t>(which);
+      counts[pyramid_case_names[k]] = cases[k];
+    }
+    cases_by_level.push_back(std::move(counts));
   }
   document["rays"] = {{"primary", statistics.primary_rays()},
                       {"subdivision", statistics.subdivision_rays_traced()},

@@ -60,7 +60,7 @@ void CornersAhead::trace_row(std::int64_t number) {
   for (Corner& corner : std::span(row.corners).first(row.corners.size() - corners_fetched_ahead)) {
     Work work;
     const Sample sample = intersector_.intersect(view_vectors_(point), work);
-    corner = {sample.shading, sample.object, static_cast<std::uint32_t>(work.box_tests), {}};
+    corner = {sample, static_cast<std::uint32_t>(work.box_tests), {}};
     for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
       corner.surface_tests[kind] = static_cast<std::uint32_t>(work.surface_tests[kind]);
     }
@@ -88,7 +88,7 @@ Sample CornersAhead::trace(GridPoint point, const glm::dvec3& view_vector, Work&
   __builtin_prefetch(&corner + corners_fetched_ahead);
   work.box_tests += corner.box_tests;
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) work.surface_tests[kind] += corner.surface_tests[kind];
-  return {corner.object, corner.shading};
+  return corner.sample;
 }
 
 }  // namespace pyrasim

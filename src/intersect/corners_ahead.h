@@ -33,10 +33,9 @@ class CornersAhead {
   Sample trace(GridPoint point, const glm::dvec3& view_vector, Work& work);
 
  private:
-  /// A sample and its work in half a cache line: it is read by another core than wrote it.
-  struct alignas(32) Corner {
-    double shading;
-    std::uint32_t object;
+  /// A sample and its work in one cache line: it is read by another core than wrote it.
+  struct alignas(64) Corner {
+    Sample sample;
     std::uint32_t box_tests;
     std::array<std::uint32_t, surface_kinds> surface_tests;
   };

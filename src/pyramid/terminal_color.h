@@ -39,7 +39,7 @@ class Palette {
     if (which == PyramidCase::covered) {
       const double shading =
           ((corners[0].shading + corners[3].shading) + (corners[1].shading + corners[2].shading)) / 4;
-      return fixed(colors_[corners[0].object], shading, 4);
+      return fixed(colors_[corners[0].seen.object], shading, 4);
     }
     if (which == PyramidCase::empty || edge == EdgePolicy::drop) return background_;
     FixedColor sum{};
@@ -52,8 +52,8 @@ class Palette {
 
   /// The colour of one sample, times `quarters` / 4.
   FixedColor sample_color(const Sample& sample, std::int64_t quarters = 4) const {
-    if (sample.object == no_object) return fixed(background_color_, 1, quarters);
-    return fixed(colors_[sample.object], sample.shading, quarters);
+    if (sample.seen.object == no_object) return fixed(background_color_, 1, quarters);
+    return fixed(colors_[sample.seen.object], sample.shading, quarters);
   }
 
  private:

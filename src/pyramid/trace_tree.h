@@ -8,30 +8,28 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "pyramid/pyramid.h"
+#include "pyramid/cell.h"
 #include "pyramid/terminal_color.h"
 
 namespace pyrasim {
 
-/// A pixel's trace tree, summed while it grows. Only terminal nodes carry colour, and a node of level L stands for 4^-L
-/// of the pixel's area; so the tree needs no storage of its own: an exact sum and the area covered so far say all.
-/// Sums are integers: the order of the nodes does not matter, and the result is rounded once.
+/// A pixel's trace tree, summed while it grows. Only terminal nodes carry colour, and a node stands for the area of its
+/// cell, 4^-L of the pixel's; so the tree needs no storage of its own: an exact sum and the area covered so far say
+/// all. Sums are integers: the order of the nodes does not matter, and the result is rounded once.
 class TraceTree {
  public:
-  /// A terminal node of `level`, in a tree of at most `max_level`.
-  void add_terminal_node(std::uint32_t level, const FixedColor& color, int max_level) {
-    const int shift = 2 * (max_level - static_cast<int>(level));
-    for (std::size_t k = 0; k < 3; ++k) sum_[k] += static_cast<Wide>(color[k]) << shift;
-    area_ += std::uint64_t{1} << shift;
+  /// A terminal node with a cell of that side.
+  void add_terminal_node(std::uint32_t log2_side, const FixedColor& color) {
+    for (std::size_t k = 0; k < 3; ++k) sum_[k] += static_cast<Wide>(color[k]) << 2 * log2_side;
+    area_ += area(log2_side);
   }
 
-  /// Whether the weights of the nodes so far add up to 1: then the tree is complete.
-  bool complete(int max_level) const { return area_ == std::uint64_t{1} << (2 * max_level); }
+  /// Whether the nodes so far cover the pixel: then the tree is complete.
+  bool complete(int max_level) const { return area_ == area(static_cast<std::uint32_t>(max_level)); }
 
-  /// Whether one more node of `level` would complete the tree.
-  bool completed_by(std::uint32_t level, int max_level) const {
-    return area_ + (std::uint64_t{1} << (2 * (max_level - static_cast<int>(level)))) == std::uint64_t{1}
-                                                                                            << (2 * max_level);
+  /// Whether one more node with a cell of that side would complete the tree.
+  bool completed_by(std::uint32_t log2_side, int max_level) const {
+    return area_ + area(log2_side) == area(static_cast<std::uint32_t>(max_level));
   }
 
   /// The article's calc_result, rounded once: the float nearest to the mean. Requires complete().
@@ -43,10 +41,13 @@ class TraceTree {
   }
 
  private:
+  /// In squares of the grid.
+  static constexpr std::uint64_t area(std::uint32_t log2_side) { return std::uint64_t{1} << 2 * log2_side; }
+
   /// 62 bits of colour and 2 * 16 bits of area.
   __extension__ using Wide = __int128;
   std::array<Wide, 3> sum_{};
-  std::uint64_t area_ = 0;  ///< in units of 4^-MAX_LEVEL of the pixel
+  std::uint64_t area_ = 0;
 };
 
 /// The result of a tree that is a single node: a pixel of case 1 or 2.

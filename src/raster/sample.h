@@ -2,15 +2,24 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace pyrasim {
 
 inline constexpr std::uint32_t no_object = 0xFFFFFFFFU;
 
-/// What a ray brings back: the identity that decides the case (decision D4) and how brightly the surface is lit there.
+/// What a ray sees, and what decides the case: where corners see the same, there is no border between them.
+struct Seen {
+  std::uint32_t object = no_object;  ///< index into the scene's objects (decision D4)
+  std::uint32_t lights = 0;          ///< those with shadows that reach the place, a bit each (decision D5)
+  friend bool operator==(const Seen&, const Seen&) = default;
+};
+
+/// What a ray brings back.
 struct Sample {
-  std::uint32_t object = no_object;  ///< index into the scene's objects
-  double shading = 1;                ///< factor on the object's colour, 0 to 1
+  Seen seen;
+  double shading = 1;                                      ///< factor on the object's colour, 0 to 1
+  double depth = std::numeric_limits<double>::infinity();  ///< times the view vector is the place, scene's units
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 

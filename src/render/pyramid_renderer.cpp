@@ -114,7 +114,7 @@ class BandWorker {
   void sample_corner_row(int k) {
     auto& corners = corners_[k];
     corners.resize(static_cast<std::size_t>(frame_.window.columns) + 1);
-    GridPoint point = pixel_corner(frame_.window, static_cast<std::uint32_t>(first_row_ + k), 0, max_level_);
+    GridPoint point = pixel_cell(frame_.window, static_cast<std::uint32_t>(first_row_ + k), 0, max_level_).corner;
     for (Sample& corner : corners) {
       corner = trace(point);
       point.column += 1U << max_level_;
@@ -130,8 +130,8 @@ class BandWorker {
     border_below_ = &borders_[k + 1];
     for (int column = 0; column < frame_.window.columns; ++column) {
       const auto nu = static_cast<std::size_t>(column);
-      pixel_ = pixel_corner(frame_.window, static_cast<std::uint32_t>(first_row_ + k), static_cast<std::uint32_t>(nu),
-                            max_level_);
+      pixel_ = pixel_cell(frame_.window, static_cast<std::uint32_t>(first_row_ + k), static_cast<std::uint32_t>(nu),
+                          max_level_);
       frame_.image.at(first_row_ + k, column) = render_pixel({above[nu], above[nu + 1], below[nu], below[nu + 1]});
     }
   }
@@ -140,46 +140,45 @@ class BandWorker {
   glm::vec3 render_pixel(const CornerSamples& corners) {
     const PyramidCase which = classify(corners);
     statistics_.count(which, 0);
-    if (!subdivides(which, 0, max_level_)) {
+    if (!subdivides(which, pixel_)) {
       ++statistics_.terminal_nodes;
       return single_node_result(frame_.palette.terminal_color(which, corners, frame_.options.edge));
     }
     interior_.clear();
     TraceTree tree;
-    pixel_subdivision({pixel_, 0}, corners, tree);
+    pixel_subdivision(pixel_, corners, tree);
     return tree.result(max_level_);
   }
 
   /// Five more rays split a case-3 pyramid in four.
-  void pixel_subdivision(const Pyramid& pyramid, const CornerSamples& corners, TraceTree& tree) {
+  void pixel_subdivision(const Cell& cell, const CornerSamples& corners, TraceTree& tree) {
     ++statistics_.subdivisions;
     SubdivisionSamples middle;
     for (std::size_t k = 0; k < subdivision_rays; ++k) {
-      middle[k] = subdivision_sample(subdivision_point(pyramid, k, max_level_), pyramid.level + 1);
+      middle[k] = subdivision_sample(subdivision_point(cell, k), level_of(cell.log2_side - 1, max_level_));
     }
     for (std::size_t child = 0; child < 4; ++child) {
-      subpixel_check(subpixel(pyramid, child, max_level_), subpixel_corners(corners, middle, child), tree);
+      subpixel_check(subpixel(cell, child), subpixel_corners(corners, middle, child), tree);
     }
   }
 
-  void subpixel_check(const Pyramid& subpixel, const CornerSamples& corners, TraceTree& tree) {
+  void subpixel_check(const Cell& subpixel, const CornerSamples& corners, TraceTree& tree) {
     const PyramidCase which = classify(corners);
-    statistics_.count(which, subpixel.level);
-    if (subdivides(which, subpixel.level, max_level_)) {
+    statistics_.count(which, level_of(subpixel.log2_side, max_level_));
+    if (subdivides(which, subpixel)) {
       pixel_subdivision(subpixel, corners, tree);
       return;
     }
     ++statistics_.terminal_nodes;
-    tree.add_terminal_node(subpixel.level, frame_.palette.terminal_color(which, corners, frame_.options.edge),
-                           max_level_);
+    tree.add_terminal_node(subpixel.log2_side, frame_.palette.terminal_color(which, corners, frame_.options.edge));
   }
 
   /// The sample at one of the five points of a subdivision into subpixels of `level`: traced, or taken from an earlier
   /// subdivision where the policy allows. A point inside the pixel can only have been met in this pixel; a point on
   /// its sides only in the neighbour.
   Sample subdivision_sample(GridPoint point, std::uint32_t level) {
-    const std::uint32_t down = point.row - pixel_.row;
-    const std::uint32_t right = point.column - pixel_.column;
+    const std::uint32_t down = point.row - pixel_.corner.row;
+    const std::uint32_t right = point.column - pixel_.corner.column;
     const std::uint32_t end = 1U << max_level_;
     const bool inside = down != 0 && down != end && right != 0 && right != end;
     SampleCache& cache = inside        ? interior_
@@ -200,7 +199,7 @@ class BandWorker {
   const int max_level_;
   FrameStatistics statistics_;
   int first_row_ = 0;  ///< of the band, inside the window
-  GridPoint pixel_;    ///< upper left corner of the current pixel
+  Cell pixel_;         ///< the current one
   std::array<std::vector<Sample>, band_rows + 1> corners_;
   std::array<SampleCache, band_rows + 1> borders_;  ///< points on the lines between rows of pixels
   SampleCache* border_above_ = nullptr;

@@ -8,10 +8,7 @@ namespace pyrasim {
 namespace {
 
 UnitAccount unit_account(const hw::Processor& processor, const hw::Stage& stage) {
-  UnitAccount unit{stage.basename(),
-                   dynamic_cast<const hw::IntersectionUnit*>(&stage) != nullptr,
-                   stage.statistics(processor.cycles()),
-                   {}};
+  UnitAccount unit{stage.basename(), stage.box(), stage.statistics(processor.cycles()), {}};
   for (const hw::Wait& wait : hw::waits(processor, stage)) {
     unit.waits.push_back({wait.fifo->basename(), wait.starved, wait.cycles});
   }

@@ -27,7 +27,7 @@ struct WaitAccount {
 /// Where a unit's cycles went.
 struct UnitAccount {
   std::string name;
-  bool intersects = false;  ///< one of the intersection units, which are alike
+  std::string box;  ///< that it is, or is one of
   hw::StageStatistics cycles;
   std::vector<WaitAccount> waits;  ///< the longest first; their sum is starved + blocked
   friend bool operator==(const UnitAccount&, const UnitAccount&) = default;

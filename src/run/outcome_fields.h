@@ -64,7 +64,7 @@ void for_each_field(Self& its, const auto& visit) {
 template <MaybeConst<UnitAccount> Self>
 void for_each_field(Self& its, const auto& visit) {
   visit("name", its.name);
-  visit("intersects", its.intersects);
+  visit("box", its.box);
   visit("cycles", its.cycles);
   visit("waits", its.waits);
 }

@@ -82,25 +82,25 @@ class BandComparison {
       };
       const CornerSamples reference = corners(above.reference, below.reference);
       const CornerSamples studied = corners(above.studied, below.studied);
-      compare({{row << its_.max_level, k << its_.max_level}, 0}, &reference, &studied);
+      compare(pixel_cell({}, row, k, its_.max_level), &reference, &studied);
     }
   }
 
   /// A pyramid that both come to, or only one; the other is none then.
-  void compare(const Pyramid& pyramid, const CornerSamples* reference, const CornerSamples* studied) {
+  void compare(const Cell& cell, const CornerSamples* reference, const CornerSamples* studied) {
     if (reference != nullptr && studied != nullptr) {
       ++flips_.decisions;
       if (differ(*reference, *studied)) ++flips_.flipped;
     }
-    const bool reference_splits = splits(pyramid, reference);
-    const bool studied_splits = splits(pyramid, studied);
+    const bool reference_splits = splits(cell, reference);
+    const bool studied_splits = splits(cell, studied);
     if (studied_splits && !reference_splits) ++flips_.extra_subdivisions;
     if (reference_splits && !studied_splits) ++flips_.lost_subdivisions;
     if (!reference_splits && !studied_splits) return;
     SubdivisionSamples reference_middle;
     SubdivisionSamples studied_middle;
     for (std::size_t k = 0; k < subdivision_rays; ++k) {
-      const GridPoint point = subdivision_point(pyramid, k, its_.max_level);
+      const GridPoint point = subdivision_point(cell, k);
       if (reference_splits) reference_middle[k] = its_.reference.sample(point);
       if (studied_splits) studied_middle[k] = its_.studied.sample(point);
     }
@@ -109,18 +109,18 @@ class BandComparison {
       CornerSamples studied_corners;
       if (reference_splits) reference_corners = subpixel_corners(*reference, reference_middle, child);
       if (studied_splits) studied_corners = subpixel_corners(*studied, studied_middle, child);
-      compare(subpixel(pyramid, child, its_.max_level), reference_splits ? &reference_corners : nullptr,
+      compare(subpixel(cell, child), reference_splits ? &reference_corners : nullptr,
               studied_splits ? &studied_corners : nullptr);
     }
   }
 
   static bool differ(const CornerSamples& a, const CornerSamples& b) {
     const PyramidCase which = classify(a);
-    return which != classify(b) || (which == PyramidCase::covered && a[0].object != b[0].object);
+    return which != classify(b) || (which == PyramidCase::covered && a[0].seen != b[0].seen);
   }
 
-  bool splits(const Pyramid& pyramid, const CornerSamples* corners) const {
-    return corners != nullptr && subdivides(classify(*corners), pyramid.level, its_.max_level);
+  static bool splits(const Cell& cell, const CornerSamples* corners) {
+    return corners != nullptr && subdivides(classify(*corners), cell);
   }
 
   Comparison& its_;

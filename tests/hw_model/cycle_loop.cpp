@@ -132,7 +132,7 @@ struct PixelScan final : Box {
 
 struct ViewVectorGenerator final : Box {
   using Box::Box;
-  Pyramid family{};       ///< of the request under way
+  Cell family{};          ///< of the request under way
   std::size_t point = 0;  ///< its next; 0: no request is under way
   std::size_t turn = 0;   ///< the unit after the one that got the last ray
 
@@ -158,8 +158,8 @@ struct ViewVectorGenerator final : Box {
   }
 
   RayMessage request_ray(Cycle now) {
-    if (point == 0) family = board.requests.read(now).pyramid;
-    const GridPoint at = subdivision_point(family, point, board.max_level);
+    if (point == 0) family = board.requests.read(now).cell;
+    const GridPoint at = subdivision_point(family, point);
     point = (point + 1) % subdivision_rays;
     return {board.view_vectors(at), at, {}, true};
   }
@@ -227,7 +227,8 @@ struct PyramidClassifier final : Box {
       const GridPoint corner{static_cast<std::uint32_t>(window.row + pixel / window.columns) << board.max_level,
                              static_cast<std::uint32_t>(window.column + pixel % window.columns) << board.max_level};
       const CornerSamples corners{row[0], row[1], row.back(), message.sample};
-      if (!classify_node(now, {{corner, 0}, message.tag, corners})) return false;
+      if (!classify_node(now, {{corner, static_cast<std::uint32_t>(board.max_level)}, message.tag, corners}))
+        return false;
     }
     row.push_back(message.sample);
     if (row.size() > static_cast<std::size_t>(board.window.columns) + 2) row.pop_front();
@@ -246,19 +247,19 @@ struct PyramidClassifier final : Box {
   }
 
   bool classify_subpixel(Cycle now, std::size_t child) {
-    const Pyramid pyramid = subpixel(parent.pyramid, child, board.max_level);
-    const bool closes_family = child == 3 && pyramid.level < static_cast<std::uint32_t>(board.max_level);
+    const Cell cell = subpixel(parent.cell, child);
+    const bool closes_family = child == 3 && cell.log2_side > 0;
     const CornerSamples corners = subpixel_corners(parent.corners, middle, child);
-    return classify_node(now, {pyramid, parent.tag, corners, false, closes_family});
+    return classify_node(now, {cell, parent.tag, corners, false, closes_family});
   }
 
   bool classify_node(Cycle now, NodeMessage node) {
-    node.subdivide = subdivides(classify(node.corners), node.pyramid.level, board.max_level);
+    node.subdivide = subdivides(classify(node.corners), node.cell);
     const bool to_controller = node.subdivide || node.closes_family;
     if (to_controller && !board.nodes.has_room()) return false;
     if (!node.subdivide && !board.terminals.has_room()) return false;
     if (to_controller) board.nodes.write(now, node);
-    if (!node.subdivide) board.terminals.write(now, {node.pyramid, node.tag, node.corners, classify(node.corners)});
+    if (!node.subdivide) board.terminals.write(now, {node.cell, node.tag, node.corners, classify(node.corners)});
     return true;
   }
 };
@@ -282,7 +283,7 @@ struct SubdivisionController final : Box {
   }
 
   void accept(const NodeMessage& node) {
-    if (node.pyramid.level == 0) {
+    if (static_cast<int>(node.cell.log2_side) == board.max_level) {
       pixels.push_back(node);
       return;
     }
@@ -301,7 +302,7 @@ struct SubdivisionController final : Box {
   const NodeMessage& next() const { return subpixels.empty() ? pixels.front() : subpixels.back(); }
 
   /// Levels below the node's subpixels that can hold nodes to split; -1: its subpixels cannot be split.
-  int levels_below(const NodeMessage& node) const { return board.max_level - 2 - static_cast<int>(node.pyramid.level); }
+  static int levels_below(const NodeMessage& node) { return static_cast<int>(node.cell.log2_side) - 2; }
 
   bool can_issue() const {
     if (subpixels.empty() && pixels.empty()) return false;
@@ -314,7 +315,7 @@ struct SubdivisionController final : Box {
 
   void issue(Cycle now) {
     const NodeMessage node = next();
-    board.requests.write(now, {node.pyramid});
+    board.requests.write(now, {node.cell});
     board.parents.write(now, node);
     if (levels_below(node) >= 0) reserved += 4;
     if (subpixels.empty()) {
@@ -332,19 +333,19 @@ struct ColorUnit final : Box {
   Cycle fire(Cycle now) override {
     if (!board.terminals.readable(now) || !board.colors.has_room()) return 0;
     const TerminalMessage node = board.terminals.read(now);
-    board.colors.write(now, {{}, node.tag, node.pyramid.level});
+    board.colors.write(now, {{}, node.tag, node.cell.log2_side});
     return board.spec.color_unit.interval;
   }
 };
 
 struct TreeAccumulator final : Box {
   using Box::Box;
-  std::map<std::uint32_t, std::uint64_t> area;  ///< summed so far, by slot, in units of 4^-MAX_LEVEL of the pixel
+  std::map<std::uint32_t, std::uint64_t> area;  ///< summed so far, by slot, in squares of the grid
 
   Cycle fire(Cycle now) override {
     if (!board.colors.readable(now)) return 0;
     const ColorMessage& node = board.colors.head();
-    const std::uint64_t sum = area[node.tag.slot] + (1ULL << 2 * (board.max_level - static_cast<int>(node.level)));
+    const std::uint64_t sum = area[node.tag.slot] + (1ULL << 2 * node.log2_side);
     const bool complete = sum == 1ULL << 2 * board.max_level;
     if (complete && !(board.pixels.has_room() && board.slots.has_room())) return 0;
     area[node.tag.slot] = complete ? 0 : sum;

@@ -121,7 +121,7 @@ void expect_no_false_miss(std::uint64_t seed) {
     }
     const auto direction = to_scalar<Scalar>(view_vector / view_vector.x);
     Work work;
-    ASSERT_EQ(intersector.intersect(direction, work).object, object_seen(every_hit->of(direction))) << "ray " << k;
+    ASSERT_EQ(intersector.intersect(direction, work).seen.object, object_seen(every_hit->of(direction))) << "ray " << k;
   }
 }
 

@@ -29,7 +29,7 @@ class BruteForce {
     const std::uint32_t object = object_seen(every_hit_->of(direction));
     if (object == no_object) return {};
     Work work;
-    return {object, alone_[object].intersect(direction, work).shading};
+    return {{object}, alone_[object].intersect(direction, work).shading};
   }
 
  private:
@@ -45,7 +45,7 @@ class SceneIntersectorOf : public testing::Test {
     Work work;
     const Sample sample = intersector.intersect(direction, work);
     const Sample expected = brute.trace(direction);
-    ASSERT_EQ(sample.object, expected.object) << direction.x << " " << direction.y << " " << direction.z;
+    ASSERT_EQ(sample.seen.object, expected.seen.object) << direction.x << " " << direction.y << " " << direction.z;
     ASSERT_EQ(sample.shading, expected.shading);
   }
   static Sample look(const Scene& scene, const Vector<Scalar>& direction) {
@@ -66,7 +66,7 @@ TYPED_TEST(SceneIntersectorOf, AgreesWithBruteForceOnRandomScenes) {
     for (int k = 0; k < 1500; ++k) {
       const auto direction = to_scalar<TypeParam>(random_vector(random, {1, -0.6, -0.6}, {1, 0.6, 0.6}));
       this->expect_equal(intersector, brute, direction);
-      hits += brute.trace(direction).object == no_object ? 0 : 1;
+      hits += brute.trace(direction).seen.object == no_object ? 0 : 1;
     }
   }
   EXPECT_GT(hits, 4000);
@@ -129,9 +129,9 @@ TYPED_TEST(SceneIntersectorOf, CoincidentSurfacesGoToTheFirst) {
   for (const auto& order : orders) {
     Scene scene = empty_scene(1, 1, 1);
     scene.objects = order;
-    EXPECT_EQ(this->look(scene, {1, 0, 0}).object, 0U);
+    EXPECT_EQ(this->look(scene, {1, 0, 0}).seen.object, 0U);
     scene.objects.insert(scene.objects.begin(), far);
-    EXPECT_EQ(this->look(scene, {1, 0, 0}).object, 1U);
+    EXPECT_EQ(this->look(scene, {1, 0, 0}).seen.object, 1U);
   }
 }
 
@@ -141,9 +141,9 @@ TYPED_TEST(SceneIntersectorOf, TenThousandCoincidentSpheres) {
   scene.objects[0].surface = Sphere{{50, 1, 0}, 2};
   const SceneIntersector<TypeParam> intersector(scene);
   Work work;
-  EXPECT_EQ(intersector.intersect({1, 0.2, 0}, work).object, 1U);
+  EXPECT_EQ(intersector.intersect({1, 0.2, 0}, work).seen.object, 1U);
   EXPECT_GE(work.surface_tests[index_of_kind<SphereSurface>], 9999U);
-  EXPECT_EQ(intersector.intersect({1, -0.9, 0}, work).object, no_object);
+  EXPECT_EQ(intersector.intersect({1, -0.9, 0}, work).seen.object, no_object);
 }
 
 TYPED_TEST(SceneIntersectorOf, MeshIsOneObject) {
@@ -152,7 +152,7 @@ TYPED_TEST(SceneIntersectorOf, MeshIsOneObject) {
   scene.objects.push_back(object(Mesh{{{{2, -1, -1}, {2, 1, -1}, {2, 1, 1}, {2, -1, 1}}, {{{0, 1, 2}}, {{0, 2, 3}}}}}));
   for (const double y : {-0.25, 0.0, 0.25}) {
     for (const double z : {-0.25, 0.0, 0.25}) {
-      EXPECT_EQ(this->look(scene, to_scalar<TypeParam>({1, y, z})).object, 1U) << y << " " << z;
+      EXPECT_EQ(this->look(scene, to_scalar<TypeParam>({1, y, z})).seen.object, 1U) << y << " " << z;
     }
   }
 }

@@ -29,7 +29,7 @@ class ShadingByHand : public testing::Test {
       scene.light = Light{ambient, travels};
       Work work;
       const Sample sample = SceneIntersector<Scalar>(scene).intersect(direction, work);
-      EXPECT_EQ(sample.object, 0U);
+      EXPECT_EQ(sample.seen.object, 0U);
       EXPECT_NEAR(sample.shading, shading, 1e-6) << travels.x << " " << travels.y << " " << travels.z;
     }
     scene.light.reset();

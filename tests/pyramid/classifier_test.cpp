@@ -9,7 +9,7 @@ namespace pyrasim {
 namespace {
 
 PyramidCase classified(std::array<std::uint32_t, 4> objects) {
-  return classify({{{objects[0], 1}, {objects[1], 1}, {objects[2], 1}, {objects[3], 1}}});
+  return classify({{{{objects[0]}}, {{objects[1]}}, {{objects[2]}}, {{objects[3]}}}});
 }
 
 TEST(Classifier, CaseOneNoRayHits) {
@@ -42,17 +42,24 @@ TEST(Classifier, CaseThreeInEveryArrangement) {
   }
 }
 
-TEST(Classifier, ShadingDoesNotDecide) {
-  EXPECT_EQ(classify({{{3, 0.1}, {3, 0.9}, {3, 0}, {3, 1}}}), PyramidCase::covered);
+/// Decision D5: the border of a shadow is an edge.
+TEST(Classifier, LightsDecide) {
+  EXPECT_EQ(classify({{{{3, 2}}, {{3, 2}}, {{3, 2}}, {{3, 2}}}}), PyramidCase::covered);
+  EXPECT_EQ(classify({{{{3, 2}}, {{3, 2}}, {{3, 0}}, {{3, 2}}}}), PyramidCase::edge);
+  EXPECT_EQ(classify({{{{3, 2}}, {{3, 2}}, {{3, 2}}, {{3, 3}}}}), PyramidCase::edge);
+}
+
+TEST(Classifier, NeitherShadingNorDepthDecides) {
+  EXPECT_EQ(classify({{{{3}, 0.1, 1}, {{3}, 0.9, 2}, {{3}, 0, 3}, {{3}, 1, 4}}}), PyramidCase::covered);
 }
 
 TEST(Classifier, OnlyEdgesAboveMaxLevelSubdivide) {
-  EXPECT_TRUE(subdivides(PyramidCase::edge, 0, 1));
-  EXPECT_FALSE(subdivides(PyramidCase::edge, 0, 0));
-  EXPECT_FALSE(subdivides(PyramidCase::edge, 3, 3));
-  EXPECT_TRUE(subdivides(PyramidCase::edge, 2, 3));
-  EXPECT_FALSE(subdivides(PyramidCase::covered, 0, 3));
-  EXPECT_FALSE(subdivides(PyramidCase::empty, 0, 3));
+  EXPECT_TRUE(subdivides(PyramidCase::edge, {{}, 1}));
+  EXPECT_TRUE(subdivides(PyramidCase::edge, {{}, 3}));
+  EXPECT_FALSE(subdivides(PyramidCase::edge, {{}, 0}));
+  for (const PyramidCase which : {PyramidCase::covered, PyramidCase::empty, PyramidCase::hidden}) {
+    EXPECT_FALSE(subdivides(which, {{}, 3}));
+  }
 }
 
 }  // namespace

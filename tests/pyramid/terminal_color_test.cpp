@@ -31,23 +31,23 @@ TEST(TerminalColor, EmptyIsTheBackground) {
 TEST(TerminalColor, CoveredIsTheColorTimesTheMeanShading) {
   for (const EdgePolicy edge : {EdgePolicy::mean, EdgePolicy::drop}) {
     // (1/2 + 1/4 + 1 + 1/4) / 4 = 1/2
-    EXPECT_EQ(edge_color({{{0, 0.5}, {0, 0.25}, {0, 1}, {0, 0.25}}}, edge), glm::vec3(0.5, 0.25, 0));
+    EXPECT_EQ(edge_color({{{{0}, 0.5}, {{0}, 0.25}, {{0}, 1}, {{0}, 0.25}}}, edge), glm::vec3(0.5, 0.25, 0));
   }
 }
 
 TEST(TerminalColor, EdgeIsTheMeanOfTheFourSamples) {
   // One of object 0 at half brightness, two of object 1, one of the background:
   // red (1/2 + 0 + 0 + 1/8) / 4, green (1/4 + 1/4 + 1/4 + 1/4) / 4, blue (0 + 3/4 + 3/4 + 1/2) / 4
-  EXPECT_EQ(edge_color({{{0, 0.5}, {1, 1}, {1, 1}, nothing}}, EdgePolicy::mean), glm::vec3(0.15625, 0.25, 0.5));
+  EXPECT_EQ(edge_color({{{{0}, 0.5}, {{1}, 1}, {{1}, 1}, nothing}}, EdgePolicy::mean), glm::vec3(0.15625, 0.25, 0.5));
 }
 
 TEST(TerminalColor, DroppedEdgeIsTheBackground) {
-  EXPECT_EQ(edge_color({{{0, 0.5}, {1, 1}, {1, 1}, nothing}}, EdgePolicy::drop), glm::vec3(0.125, 0.25, 0.5));
+  EXPECT_EQ(edge_color({{{{0}, 0.5}, {{1}, 1}, {{1}, 1}, nothing}}, EdgePolicy::drop), glm::vec3(0.125, 0.25, 0.5));
 }
 
 /// Sums of the four corners do not depend on which corner is which.
 TEST(TerminalColor, EdgeDoesNotDependOnTheOrderOfCorners) {
-  CornerSamples corners{{{0, 0.3}, {1, 0.7}, {0, 0.1}, nothing}};
+  CornerSamples corners{{{{0}, 0.3}, {{1}, 0.7}, {{0}, 0.1}, nothing}};
   const glm::vec3 expected = edge_color(corners, EdgePolicy::mean);
   for (int k = 0; k < 4; ++k) {
     std::rotate(corners.begin(), corners.begin() + 1, corners.end());
@@ -56,8 +56,8 @@ TEST(TerminalColor, EdgeDoesNotDependOnTheOrderOfCorners) {
 }
 
 TEST(SampleColor, IsTheColorTimesTheShading) {
-  EXPECT_EQ(single_node_result(palette().sample_color({1, 0.5})), glm::vec3(0, 0.125, 0.375));
-  EXPECT_EQ(single_node_result(palette().sample_color({1, 0.5}, 2)), glm::vec3(0, 0.0625, 0.1875));
+  EXPECT_EQ(single_node_result(palette().sample_color({{1}, 0.5})), glm::vec3(0, 0.125, 0.375));
+  EXPECT_EQ(single_node_result(palette().sample_color({{1}, 0.5}, 2)), glm::vec3(0, 0.0625, 0.1875));
   EXPECT_EQ(single_node_result(palette().sample_color(nothing)), glm::vec3(0.125, 0.25, 0.5));
 }
 

@@ -25,7 +25,9 @@ struct Node {
 
 glm::vec3 sum(const std::vector<Node>& nodes, int max_level) {
   TraceTree tree;
-  for (const Node& node : nodes) tree.add_terminal_node(node.level, node.color, max_level);
+  for (const Node& node : nodes) {
+    tree.add_terminal_node(static_cast<std::uint32_t>(max_level) - node.level, node.color);
+  }
   EXPECT_TRUE(tree.complete(max_level));
   return tree.result(max_level);
 }
@@ -63,17 +65,17 @@ TEST(TraceTree, OrderOfNodesDoesNotMatter) {
 
 TEST(TraceTree, WeightsAddUpToOneExactlyWhenComplete) {
   TraceTree tree;
-  for (std::uint32_t level = 1; level <= 5; ++level) {
+  for (std::uint32_t log2_side = 5; log2_side-- > 0;) {
     for (int k = 0; k < 3; ++k) {
       EXPECT_FALSE(tree.complete(5));
-      EXPECT_FALSE(tree.completed_by(level, 5));
-      tree.add_terminal_node(level, color(1, 1, 1), 5);
+      EXPECT_FALSE(tree.completed_by(log2_side, 5));
+      tree.add_terminal_node(log2_side, color(1, 1, 1));
     }
   }
   EXPECT_FALSE(tree.complete(5));
-  EXPECT_TRUE(tree.completed_by(5, 5));
-  EXPECT_FALSE(tree.completed_by(4, 5));
-  tree.add_terminal_node(5, color(1, 1, 1), 5);
+  EXPECT_TRUE(tree.completed_by(0, 5));
+  EXPECT_FALSE(tree.completed_by(1, 5));
+  tree.add_terminal_node(0, color(1, 1, 1));
   EXPECT_TRUE(tree.complete(5));
   EXPECT_EQ(tree.result(5), glm::vec3(1));
 }

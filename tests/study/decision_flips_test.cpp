@@ -16,7 +16,7 @@ class HalfPlane final : public Intersector {
  public:
   explicit HalfPlane(double slope) : slope_(slope) {}
   Sample intersect(const glm::dvec3& view_vector, Work&) const override {
-    return view_vector.y > slope_ ? Sample{0, 1} : Sample{};
+    return view_vector.y > slope_ ? Sample{{0}} : Sample{};
   }
   SceneContents contents() const override { return {}; }
 
@@ -60,7 +60,7 @@ TEST(DecisionFlips, AnotherObjectIsAnotherDecision) {
   class Everywhere final : public Intersector {
    public:
     explicit Everywhere(std::uint32_t object) : object_(object) {}
-    Sample intersect(const glm::dvec3&, Work&) const override { return {object_, 1}; }
+    Sample intersect(const glm::dvec3&, Work&) const override { return {{object_}}; }
     SceneContents contents() const override { return {}; }
 
    private:

@@ -71,10 +71,12 @@ struct Bench {
   Fifo<SubdivisionRequest> requests{sc_core::sc_gen_unique_name("requests"), 4096};
   Fifo<NodeMessage> parents{sc_core::sc_gen_unique_name("parents"), 4096};
   SubdivisionController controller;
+  std::uint32_t max_level;
   Cycle now = 0;
 
-  Bench(std::size_t pool, int max_level)
-      : controller(sc_core::sc_gen_unique_name("controller"), setup(pool, max_level).frame()) {
+  Bench(std::size_t pool, int its_max_level)
+      : controller(sc_core::sc_gen_unique_name("controller"), setup(pool, its_max_level).frame()),
+        max_level(static_cast<std::uint32_t>(its_max_level)) {
     controller.pyramid_classifier(nodes);
     controller.view_vector_generator(requests);
     controller.parents(parents);
@@ -90,7 +92,7 @@ struct Bench {
 
   void send(std::uint32_t level, std::uint32_t pixel, bool subdivide = true, bool closes_family = false) {
     NodeMessage node{};
-    node.pyramid.level = level;
+    node.cell.log2_side = max_level - level;
     node.tag.pixel = pixel;
     node.subdivide = subdivide;
     node.closes_family = closes_family;
@@ -212,10 +214,11 @@ class RandomTrees {
   void take_issued() {
     for (const NodeMessage& node : bench_.issued()) {
       --waiting_;
-      if (node.pyramid.level > 0) --entries_;
-      if (node.pyramid.level + 1 < max_level_) entries_ += 4;
+      const std::uint32_t level = max_level_ - node.cell.log2_side;
+      if (level > 0) --entries_;
+      if (level + 1 < max_level_) entries_ += 4;
       most_ = std::max(most_, entries_);
-      under_way_.push_back(node.pyramid.level);
+      under_way_.push_back(level);
     }
   }
 

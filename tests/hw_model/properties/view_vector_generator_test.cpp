@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "frames.h"
-#include "pyramid/pyramid.h"
+#include "pyramid/cell.h"
 
 namespace pyrasim::hw {
 namespace {

@@ -36,7 +36,7 @@ TEST(ExtremesBoxFaces, RaysInThemMissNothing) {
           Work work;
           const Sample sample = intersector->intersect(v, work);
           ASSERT_EQ(sample, exhaustive->intersect(v, work)) << y << " " << z;
-          hits += sample.object == no_object ? 0 : 1;
+          hits += sample.seen.object == no_object ? 0 : 1;
         }
       }
     }

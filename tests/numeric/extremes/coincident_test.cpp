@@ -28,7 +28,7 @@ TEST(ExtremesCoincident, TheFirstIsSeenInEveryFormat) {
       int seen = 0;
       for (int k = 0; k < 200; ++k) {
         Work work;
-        const auto object = intersector->intersect({1, 0.02 * (k / 14 - 7), 0.02 * (k % 14 - 7)}, work).object;
+        const auto object = intersector->intersect({1, 0.02 * (k / 14 - 7), 0.02 * (k % 14 - 7)}, work).seen.object;
         if (object == no_object || object % 5 == 4) continue;  // one of the small ones, or none
         ASSERT_EQ(object, 0U) << k;
         ++seen;
@@ -43,7 +43,7 @@ TEST(ExtremesCoincident, TenThousandOfThem) {
   for (const char* name : {"double", "float", "fp16", "fp24", "fix32.16"}) {
     const auto intersector = make_intersector(scene, parse_number_format(name));
     Work work;
-    for (const double y : {0.0, 0.1, -0.1}) EXPECT_EQ(intersector->intersect({1, y, 0}, work).object, 0U) << name;
+    for (const double y : {0.0, 0.1, -0.1}) EXPECT_EQ(intersector->intersect({1, y, 0}, work).seen.object, 0U) << name;
     EXPECT_GE(work.surface_tests[0], 24000U);
   }
 }

@@ -83,7 +83,7 @@ void expect_as_the_oracle(double degrees) {
       for (std::uint32_t column = 0; column <= size; column += 2) {
         const glm::dvec3 v = view_vectors({row, column});
         Work work;
-        const auto seen = intersector->intersect(v, work).object;
+        const auto seen = intersector->intersect(v, work).seen.object;
         const Exact exact = nearest_sphere(scene, v);
         if (exact.margin < roundings) {
           ++doubtful;

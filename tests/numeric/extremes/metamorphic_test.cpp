@@ -84,7 +84,7 @@ TEST(ExtremesMetamorphic, APyramidsColorDoesNotDependOnHowItsCornersAreTurned) {
   Random random(46);
   for (int k = 0; k < 1000; ++k) {
     CornerSamples corners;
-    for (Sample& corner : corners) corner = {0, random.uniform(0, 1)};
+    for (Sample& corner : corners) corner = {{0}, random.uniform(0, 1)};
     const auto color = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
       return palette.terminal_color(PyramidCase::covered, {corners[a], corners[b], corners[c], corners[d]},
                                     EdgePolicy::mean);

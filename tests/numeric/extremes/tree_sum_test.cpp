@@ -63,7 +63,7 @@ void expect_mean_of_random_tree(Random& random, int max_level, const Color& colo
   Rational mean;
   const auto terminal = [&](std::uint32_t level) {
     const FixedColor value = color();
-    tree.add_terminal_node(level, value, max_level);
+    tree.add_terminal_node(static_cast<std::uint32_t>(max_level) - level, value);
     mean.add(value[0], static_cast<unsigned>(fixed_color_bits) + 2 * level);
   };
   std::uint32_t level = 0;
@@ -104,7 +104,7 @@ TEST(ExtremesTreeSum, IsNotRoundedTwice) {
       for (int k = 0; k < (static_cast<int>(level) == max_level ? 4 : 3); ++k) {
         const bool last = static_cast<int>(level) == max_level && k == 3;
         const std::int64_t value = midpoint + (last ? 1 : 0);
-        tree.add_terminal_node(level, {value, value, value}, max_level);
+        tree.add_terminal_node(static_cast<std::uint32_t>(max_level) - level, {value, value, value});
         mean.add(value, static_cast<unsigned>(fixed_color_bits) + 2 * level);
       }
     }

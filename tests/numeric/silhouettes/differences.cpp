@@ -74,13 +74,13 @@ std::vector<Neighbors> neighbors_across_outline(Oracle& oracle, std::size_t most
 /// are neighbours that do.
 void narrow_down(const Intersector& intersector, RoundToFormat round, int axis, glm::dvec3& a, glm::dvec3& b) {
   Work work;
-  const std::uint32_t object = intersector.intersect(a, work).object;
+  const std::uint32_t object = intersector.intersect(a, work).seen.object;
   for (;;) {
     glm::dvec3 middle = a;
     middle[axis] += (b[axis] - a[axis]) / 2;
     if (round != nullptr) middle[axis] = round(middle[axis]);
     if (middle[axis] == a[axis] || middle[axis] == b[axis]) return;
-    (intersector.intersect(middle, work).object == object ? a : b) = middle;
+    (intersector.intersect(middle, work).seen.object == object ? a : b) = middle;
   }
 }
 
@@ -104,13 +104,13 @@ FrameDifferences differences_in_frame(const Intersector& intersector, const Numb
     if (fresh) {
       Work work;
       entry->second = intersector.intersect(view_vectors(point), work);
-      comparison.add(oracle.ray(point), entry->second.object, oracle.object(point));
+      comparison.add(oracle.ray(point), entry->second.seen.object, oracle.object(point));
     }
     return entry->second;
   };
   const auto visit = [&](const std::array<GridPoint, 4>& corners, const CornerSamples& samples) {
     CornerSamples exact;
-    for (std::size_t k = 0; k < 4; ++k) exact[k].object = oracle.object(corners[k]);
+    for (std::size_t k = 0; k < 4; ++k) exact[k].seen.object = oracle.object(corners[k]);
     ++differences.pyramids;
     if (classify(samples) != classify(exact)) ++differences.different_pyramids;
   };
@@ -127,13 +127,13 @@ Differences differences_by_outline(const Intersector& intersector, const NumberF
   for (const auto& [first, second] : neighbors_across_outline(oracle, places)) {
     glm::dvec3 a = view_vectors(first);
     glm::dvec3 b = view_vectors(second);
-    if (intersector.intersect(a, work).object == intersector.intersect(b, work).object) continue;
+    if (intersector.intersect(a, work).seen.object == intersector.intersect(b, work).seen.object) continue;
     const int axis = first.row == second.row ? 2 : 1;
     narrow_down(intersector, rounding_to(format), axis, a, b);
     move_to_boundary(axis, a, b);
     for (const glm::dvec3& v : {a, b}) {
       const Ray ray(v.y, v.z);
-      comparison.add(ray, intersector.intersect(v, work).object, object_seen(oracle.scene(), ray));
+      comparison.add(ray, intersector.intersect(v, work).seen.object, object_seen(oracle.scene(), ray));
     }
   }
   return comparison.result();

@@ -18,22 +18,22 @@ class FramePyramids {
   void visit_all(const Screen& screen) {
     for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(screen.rows); ++row) {
       for (std::uint32_t column = 0; column < static_cast<std::uint32_t>(screen.columns); ++column) {
-        visit({{row << max_level_, column << max_level_}, 0});
+        visit(pixel_cell({}, row, column, max_level_));
       }
     }
   }
 
  private:
-  void visit(const Pyramid& pyramid) {
-    const std::uint32_t far = side(pyramid.level, max_level_);
-    const auto [row, column] = pyramid.corner;
+  void visit(const Cell& cell) {
+    const std::uint32_t far = side(cell);
+    const auto [row, column] = cell.corner;
     const std::array<GridPoint, 4> corners{GridPoint{row, column}, GridPoint{row, column + far},
                                            GridPoint{row + far, column}, GridPoint{row + far, column + far}};
     CornerSamples samples;
     for (std::size_t k = 0; k < 4; ++k) samples[k] = sample_(corners[k]);
     visit_(corners, samples);
-    if (!subdivides(classify(samples), pyramid.level, max_level_)) return;
-    for (std::size_t child = 0; child < 4; ++child) visit(subpixel(pyramid, child, max_level_));
+    if (!subdivides(classify(samples), cell)) return;
+    for (std::size_t child = 0; child < 4; ++child) visit(subpixel(cell, child));
   }
 
   int max_level_;

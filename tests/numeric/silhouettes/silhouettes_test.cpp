@@ -107,7 +107,7 @@ class TextbookSpheres final : public Intersector {
       const Scalar t = (b - sqrt(discriminant)) / (Scalar(2) * a);
       if (!(t > Scalar(0) && t < nearest)) continue;
       nearest = t;
-      sample.object = sphere.identity.object;
+      sample.seen.object = sphere.identity.object;
     }
     return sample;
   }

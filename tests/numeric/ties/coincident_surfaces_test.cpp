@@ -85,7 +85,7 @@ class Alone {
   }
   bool hit(const glm::dvec3& v) const {
     Work work;
-    return intersector_->intersect(v, work).object != no_object;
+    return intersector_->intersect(v, work).seen.object != no_object;
   }
 
  private:
@@ -108,9 +108,10 @@ int expect_first_seen(const Pair& pair, Scene scene, const NumberFormat& format,
     if (!first.hit(v) || !second.hit(v)) continue;
     ++both;
     Work work;
-    EXPECT_EQ(intersector->intersect(v, work).object, 0U)
+    EXPECT_EQ(intersector->intersect(v, work).seen.object, 0U)
         << pair.name << " " << format.name() << " " << v.y << " " << v.z;
-    EXPECT_EQ(swapped->intersect(v, work).object, 0U) << pair.name << " " << format.name() << " " << v.y << " " << v.z;
+    EXPECT_EQ(swapped->intersect(v, work).seen.object, 0U)
+        << pair.name << " " << format.name() << " " << v.y << " " << v.z;
   }
   return both;
 }
@@ -178,8 +179,8 @@ TEST(CoincidentSurfaces, OfAChainTheFirstThatIsNotBehindIsSeen) {
         const auto hits = every_hit->of(v);
         const std::uint32_t expected = object_seen(hits);
         Work work;
-        ASSERT_EQ(intersector->intersect(v, work).object, expected) << format.name() << " " << k;
-        ASSERT_EQ(exhaustive->intersect(v, work).object, expected) << format.name() << " " << k;
+        ASSERT_EQ(intersector->intersect(v, work).seen.object, expected) << format.name() << " " << k;
+        ASSERT_EQ(exhaustive->intersect(v, work).seen.object, expected) << format.name() << " " << k;
         const auto nearest =
             std::min_element(hits.begin(), hits.end(), [](const KnownHit& p, const KnownHit& q) { return p.t < q.t; });
         not_the_nearest += nearest->identity.object == expected ? 0 : 1;
@@ -234,7 +235,8 @@ TEST(CoincidentSurfaces, WhatIsNearerByMoreThanTheErrorsIsSeenThoughItComesLast)
       if (!put_before(scene, format, v)) continue;
       ++apart;
       Work work;
-      ASSERT_EQ(make_intersector(scene, format)->intersect(v, work).object, 1U) << format.name() << " " << pair.name;
+      ASSERT_EQ(make_intersector(scene, format)->intersect(v, work).seen.object, 1U)
+          << format.name() << " " << pair.name;
     }
     EXPECT_GT(apart, 20) << format.name();
   }

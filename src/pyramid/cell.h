@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pixels and subpixels as pyramids: grid addresses, the five further points of a subdivision, and the four subpixels.
+// The cells of the screen that pyramids stand on: pixels and their parts, the five further points of a subdivision, and
+// the four subpixels.
 #pragma once
 
 #include <array>
@@ -23,21 +24,25 @@ constexpr bool addressable(int columns, int rows, int max_level) {
 /// Corners are numbered 0 upper left, 1 upper right, 2 lower left, 3 lower right; so are the subpixels of a pixel.
 using CornerSamples = std::array<Sample, 4>;
 
-/// A pixel (level 0) or a subpixel: the pyramid that its four corner rays span.
-struct Pyramid {
-  GridPoint corner;         ///< upper left
-  std::uint32_t level = 0;  ///< L; the side is 2^-L of the pixel's
+/// A square of the screen whose corner rays span a pyramid: a pixel, where log2_side is MAX_LEVEL, or a part of one.
+struct Cell {
+  GridPoint corner;             ///< upper left
+  std::uint32_t log2_side = 0;  ///< the side is 2^log2_side steps of the grid; 0: nothing is finer
 };
 
-/// The grid address of the upper left corner of a window's pixel. `row`, `column`: counted inside the window.
-constexpr GridPoint pixel_corner(const PixelWindow& window, std::uint32_t row, std::uint32_t column, int max_level) {
-  return {(static_cast<std::uint32_t>(window.row) + row) << max_level,
-          (static_cast<std::uint32_t>(window.column) + column) << max_level};
+/// In grid steps.
+constexpr std::uint32_t side(const Cell& cell) { return 1U << cell.log2_side; }
+
+/// L: the side is 2^-L of the pixel's. For reports; what works on a cell needs its side.
+constexpr std::uint32_t level_of(std::uint32_t log2_side, int max_level) {
+  return static_cast<std::uint32_t>(max_level) - log2_side;
 }
 
-/// The side of a pyramid of `level` in grid steps: 2^(MAX_LEVEL - L).
-constexpr std::uint32_t side(std::uint32_t level, int max_level) {
-  return 1U << (static_cast<std::uint32_t>(max_level) - level);
+/// A window's pixel. `row`, `column`: counted inside the window.
+constexpr Cell pixel_cell(const PixelWindow& window, std::uint32_t row, std::uint32_t column, int max_level) {
+  return {{(static_cast<std::uint32_t>(window.row) + row) << max_level,
+           (static_cast<std::uint32_t>(window.column) + column) << max_level},
+          static_cast<std::uint32_t>(max_level)};
 }
 
 /// The points of a subdivision in the order in which their rays are traced: as soon as the third is known the first
@@ -46,19 +51,19 @@ enum SubdivisionPoint : std::uint8_t { top_middle, left_middle, center, right_mi
 inline constexpr std::size_t subdivision_rays = 5;
 using SubdivisionSamples = std::array<Sample, subdivision_rays>;
 
-/// The grid address of one of the five points of a subdivision. Valid while level < MAX_LEVEL.
-constexpr GridPoint subdivision_point(const Pyramid& pyramid, std::size_t point, int max_level) {
+/// The grid address of one of the five points of a subdivision. Valid while log2_side > 0.
+constexpr GridPoint subdivision_point(const Cell& cell, std::size_t point) {
   constexpr std::array<std::uint32_t, subdivision_rays> down{0, 1, 1, 1, 2};
   constexpr std::array<std::uint32_t, subdivision_rays> right{1, 0, 1, 2, 1};
-  const std::uint32_t half = side(pyramid.level + 1, max_level);
-  return {pyramid.corner.row + down[point] * half, pyramid.corner.column + right[point] * half};
+  const std::uint32_t half = side(cell) / 2;
+  return {cell.corner.row + down[point] * half, cell.corner.column + right[point] * half};
 }
 
 /// Subpixel `child` (0 to 3) of `parent`.
-constexpr Pyramid subpixel(const Pyramid& parent, std::size_t child, int max_level) {
-  const std::uint32_t half = side(parent.level + 1, max_level);
+constexpr Cell subpixel(const Cell& parent, std::size_t child) {
+  const std::uint32_t half = side(parent) / 2;
   return {{parent.corner.row + (child >= 2 ? half : 0), parent.corner.column + (child % 2 == 1 ? half : 0)},
-          parent.level + 1};
+          parent.log2_side - 1};
 }
 
 /// The corner samples of subpixel `child`, from its parent's corners and the five samples of the subdivision.
