@@ -28,7 +28,7 @@ class ViewVectors {
         half_step_z_(screen.dz / screen.dx / static_cast<double>(2 * steps)),
         rows_(screen.rows * steps),
         columns_(screen.columns * steps),
-        round_(rounding_to(format)) {}
+        round_(format) {}
 
   /// The view vector through `point`: formula (2). Its components are values of the format, held in double.
   glm::dvec3 operator()(GridPoint point) const {
@@ -36,7 +36,6 @@ class ViewVectors {
     const std::int64_t right = 2 * static_cast<std::int64_t>(point.column) - columns_;
     const double y = static_cast<double>(up) * half_step_y_;
     const double z = static_cast<double>(right) * half_step_z_;
-    if (round_ == nullptr) return {1, y, z};
     return {1, round_(y), round_(z)};
   }
 
@@ -45,7 +44,7 @@ class ViewVectors {
   double half_step_z_;
   std::int64_t rows_;  ///< N_y in grid steps
   std::int64_t columns_;
-  RoundToFormat round_;  ///< none: the format is double
+  RoundToFormat round_;
 };
 
 }  // namespace pyrasim

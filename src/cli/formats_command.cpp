@@ -52,9 +52,14 @@ std::string fixed_lines() {
 
 void print_formats() {
   std::cout
-      << "The number formats that a datapath can compute in. --scalar of render, simulate and budget takes one for\n"
-         "view vectors and intersections, or one for each: view_vectors=fp24,intersection=double. --formats of\n"
-         "study numerics takes a list.\n\n"
+      << fmt::format(
+             "The number formats that a datapath can compute in: double, float, and any eEpP or fixW.F. E bits of\n"
+             "exponent are {} to {}, P of significand {} to {}; W bits in all {} to {}, F of fraction 0 to W - 1.\n"
+             "--scalar of render, simulate and budget takes one for view vectors and intersections, or one for each:\n"
+             "view_vectors=fp24,intersection=double. --formats of study numerics takes a list; without it the study\n"
+             "takes these:\n\n",
+             min_exponent_bits, max_exponent_bits, min_significand_bits, max_significand_bits, min_fixed_bits,
+             max_fixed_bits)
       << floating_lines() << '\n'
       << fixed_lines()
       << "\nbelow: all numbers lie below it in magnitude. A significand counts its hidden bit, integer bits do not\n"
@@ -64,7 +69,8 @@ void print_formats() {
 }  // namespace
 
 void add_formats_command(const Command& program) {
-  program.add_command("formats", "List the number formats that --scalar takes: bits and range.", print_formats);
+  program.add_command("formats", "Say which number formats --scalar takes, and list bits and range of the usual ones.",
+                      print_formats);
 }
 
 }  // namespace pyrasim::cli

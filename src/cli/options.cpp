@@ -54,7 +54,7 @@ void add_scalar_option(const Command& command, std::string& scalar) {
   command
       .add_text("--scalar", scalar,
                 "number format of the datapath, or of each stage: view_vectors=FORMAT,intersection=FORMAT; "
-                "pyrasim formats lists them")
+                "pyrasim formats says which there are")
       .type_name("FORMAT")
       .show_default();
 }

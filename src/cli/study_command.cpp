@@ -164,7 +164,7 @@ void add_study_command(const Command& program) {
   auto options = std::make_shared<NumericsStudy>();
   const Command command =
       study.add_command("numerics",
-                        "Simulate a frame in every number format and measure each against double; a row is "
+                        "Simulate a frame in each of a list of number formats and measure it against double; a row is "
                         "written as soon as it is done.",
                         [options] { options->run(); });
   add_frame_options(command, options->frame);

@@ -73,6 +73,7 @@ class GeneralScene {
 
   template <class Sought>
   void walk(Sought& sought, Work& work) const {
+    const FormatScope<Scalar> scope(scene_.numbers);
     const Vector<Scalar> origin = to_scalar<Scalar>(sought.ray.origin);
     const ViewRay<Scalar> moved(to_scalar<Scalar>(sought.ray.direction));
     const auto test = [&](std::int32_t leaf) { test_leaf(leaf, origin, moved, sought, work); };

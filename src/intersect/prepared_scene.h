@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "numeric/number_format.h"
+#include "numeric/format_scope.h"
 #include "scene/scene.h"
 #include "surface/bounding_box.h"
 #include "surface/lighting.h"
@@ -68,9 +68,10 @@ struct PreparedScene {
   std::optional<std::int32_t> apart;  ///< likewise, a leaf of the others, if there are any
   SurfaceStore<Scalar> kinds;         ///< of each those apart first, then in the order of leaves
   Lighting<Scalar> lighting;
-  int exponent = 0;        ///< lengths are the scene's times 2^exponent
-  double unit = 1;         ///< 2^-exponent: of its lengths, in the scene's
-  RoundingUnits rounding;  ///< of the format
+  int exponent = 0;                                                ///< lengths are the scene's times 2^exponent
+  double unit = 1;                                                 ///< 2^-exponent: of its lengths, in the scene's
+  RoundingUnits rounding;                                          ///< of the format
+  ScalarFormat<Scalar> numbers = ScalarFormat<Scalar>::current();  ///< the format, as computing in it takes it
 };
 
 /// The surfaces of one kind: surfaces_of<SphereSurface>(scene).

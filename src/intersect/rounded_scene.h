@@ -22,8 +22,8 @@ SlopeBoxes<Scalar> rounded(const SlopeBoxes<double>& boxes) {
   return result;
 }
 
-/// Every number rounded to the nearest value of `Scalar`. The bounds of the hierarchy hold in `Scalar` where the scene
-/// was prepared for its format.
+/// Every number rounded to the nearest value of `Scalar` in the format set. The bounds of the hierarchy hold in
+/// `Scalar` where the scene was prepared for its format.
 template <class Scalar>
 PreparedScene<Scalar> rounded(PreparedScene<double> scene) {
   if constexpr (std::is_same_v<Scalar, double>) {

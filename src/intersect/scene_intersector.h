@@ -9,14 +9,11 @@
 
 namespace pyrasim {
 
-/// Traces the view rays of one scene in the number format that `Scalar` computes in.
+/// Traces the view rays of one scene in the number format of `Scalar` that is set where it is made.
 template <class Scalar>
 class SceneIntersector final : public Intersector {
  public:
-  explicit SceneIntersector(const Scene& scene, Search search = Search::hierarchy)
-      : scene_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {
-    if (search == Search::exhaustive) scene_.root = scene_.everything;
-  }
+  explicit SceneIntersector(const Scene& scene, Search search = Search::hierarchy);
 
   Sample intersect(const glm::dvec3& view_vector, Work& work) const override;
   SceneContents contents() const override {
@@ -32,7 +29,14 @@ class SceneIntersector final : public Intersector {
 };
 
 template <class Scalar>
+SceneIntersector<Scalar>::SceneIntersector(const Scene& scene, Search search)
+    : scene_(rounded<Scalar>(prepare_scene(scene, format_of<Scalar>()))) {
+  if (search == Search::exhaustive) scene_.root = scene_.everything;
+}
+
+template <class Scalar>
 Sample SceneIntersector<Scalar>::intersect(const glm::dvec3& view_vector, Work& work) const {
+  const FormatScope<Scalar> scope(scene_.numbers);
   const auto direction = to_scalar<Scalar>(view_vector);
   // Boxes are bounds of slopes: of use to rays that run forward, as all rays through a screen do.
   const bool forward = direction.x >= std::numeric_limits<Scalar>::min();
@@ -41,5 +45,7 @@ Sample SceneIntersector<Scalar>::intersect(const glm::dvec3& view_vector, Work& 
 
 extern template class SceneIntersector<double>;
 extern template class SceneIntersector<float>;
+extern template class SceneIntersector<Flt>;
+extern template class SceneIntersector<Fix>;
 
 }  // namespace pyrasim

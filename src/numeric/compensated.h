@@ -17,13 +17,12 @@ Scalar product_error(Scalar a, Scalar b, Scalar product) {
   return std::fma(a, b, -product);
 }
 /// Two numbers of P bits have a product of 2P <= 50, which a double holds, and with it the difference.
-template <int E, int P>
-Flt<E, P> product_error(Flt<E, P> a, Flt<E, P> b, Flt<E, P> product) {
-  return Flt<E, P>(static_cast<double>(a) * static_cast<double>(b) - static_cast<double>(product));
+inline Flt product_error(Flt a, Flt b, Flt product) {
+  return Flt(static_cast<double>(a) * static_cast<double>(b) - static_cast<double>(product));
 }
 /// Below the last place of a fixed-point number there is nothing that could hold it.
-template <int W, int F, Rounding R, Overflow O>
-Fix<W, F, R, O> product_error(Fix<W, F, R, O>, Fix<W, F, R, O>, Fix<W, F, R, O>) {
+template <Rounding R, Overflow O>
+BasicFix<R, O> product_error(BasicFix<R, O>, BasicFix<R, O>, BasicFix<R, O>) {
   return {};
 }
 

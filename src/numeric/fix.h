@@ -12,96 +12,111 @@
 #include <type_traits>
 
 #include "numeric/arithmetic_events.h"
+#include "numeric/fix_format.h"
 #include "numeric/fix_rounding.h"
 
 namespace pyrasim {
 
-/// `W` bits in all, the sign included, `F` of them after the binary point: sc_fixed<W, W - F, R, O>. Values lie between
-/// -2^(W-1-F) and 2^(W-1-F) - 2^-F. Counts arithmetic_events.
-template <int W, int F, Rounding R = Rounding::SC_RND_CONV, Overflow O = Overflow::SC_SAT>
-class Fix {
-  static_assert(2 <= W && W <= 64 && 0 <= F && F < W);
-  using Range = FixRange<W, O>;
-  using Product = std::conditional_t<W <= 32, std::int64_t, Int128>;
-  using Sum = std::conditional_t<W <= 63, std::int64_t, Int128>;
-
+/// A fixed-point number of the format that is set on this thread: W bits in all, the sign included, F of them after
+/// the binary point: sc_fixed<W, W - F, R, O>. Values lie between -2^(W-1-F) and 2^(W-1-F) - 2^-F. Counts
+/// arithmetic_events.
+template <Rounding R, Overflow O>
+class BasicFix {
  public:
-  static constexpr int width = W;
-  static constexpr int fraction_bits = F;
+  using Format = FixFormat;
+  /// The format set on this thread, in all modes: FormatScope.
+  static Format& format() { return fix_format; }
 
-  constexpr Fix() = default;
+  constexpr BasicFix() = default;
   /// Rounded as R says. Infinities become the largest and smallest value in every overflow mode, NaN becomes 0.
   template <std::floating_point Number>
-  constexpr explicit Fix(Number x) : raw_(from_double(static_cast<double>(x))) {
+  explicit BasicFix(Number x) : raw_(from_double(static_cast<double>(x))) {
     static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, float>);
   }
   template <std::integral Number>
-  constexpr explicit Fix(Number n) : raw_(settle(static_cast<Int128>(n) << F)) {}
+  explicit BasicFix(Number n) : raw_(n == 0 ? 0 : settle(static_cast<Int128>(n) << fix_format.fraction_bits())) {}
 
   /// The value raw * 2^-F; raw is one that the format has.
-  static constexpr Fix from_raw(std::int64_t raw) {
-    Fix result;
+  static constexpr BasicFix from_raw(std::int64_t raw) {
+    BasicFix result;
     result.raw_ = raw;
     return result;
   }
   constexpr std::int64_t raw() const { return raw_; }
 
   /// The nearest double: the value itself while it has 53 significant bits or less.
-  constexpr explicit operator double() const { return static_cast<double>(raw_) * resolution; }
-  constexpr explicit operator float() const { return static_cast<float>(raw_) * static_cast<float>(resolution); }
+  explicit operator double() const { return static_cast<double>(raw_) * fix_format.resolution(); }
+  explicit operator float() const { return static_cast<float>(raw_) * static_cast<float>(fix_format.resolution()); }
 
-  friend constexpr Fix operator+(Fix a, Fix b) { return from_raw(settle(Sum{a.raw_} + b.raw_)); }
-  friend constexpr Fix operator-(Fix a, Fix b) { return from_raw(settle(Sum{a.raw_} - b.raw_)); }
-  friend constexpr Fix operator*(Fix a, Fix b) { return quantise(scaled_down(Product{a.raw_} * b.raw_, F)); }
+  friend BasicFix operator+(BasicFix a, BasicFix b) {
+    std::int64_t sum{};
+    if (__builtin_add_overflow(a.raw_, b.raw_, &sum)) [[unlikely]]
+      return from_raw(settle(Int128{a.raw_} + b.raw_));
+    return from_raw(settle(sum));
+  }
+  friend BasicFix operator-(BasicFix a, BasicFix b) {
+    std::int64_t difference{};
+    if (__builtin_sub_overflow(a.raw_, b.raw_, &difference)) [[unlikely]]
+      return from_raw(settle(Int128{a.raw_} - b.raw_));
+    return from_raw(settle(difference));
+  }
+  friend BasicFix operator*(BasicFix a, BasicFix b) {
+    return quantise(scaled_down(Int128{a.raw_} * b.raw_, fix_format.fraction_bits()));
+  }
   /// By zero: the largest or smallest value by the numerator's sign, and 0 / 0 = 0, in every overflow mode.
-  friend constexpr Fix operator/(Fix a, Fix b) {
+  friend BasicFix operator/(BasicFix a, BasicFix b) {
     if (b.raw_ == 0) [[unlikely]]
       return divide_by_zero(a);
-    return quantise(quotient(static_cast<Int128>(a.raw_) << F, b.raw_));
+    return quantise(quotient(shifted_left(a.raw_, fix_format.fraction_bits()), b.raw_));
   }
   /// 0 for negative numbers, which counts as invalid.
-  friend constexpr Fix sqrt(Fix x) {
+  friend BasicFix sqrt(BasicFix x) {
     if (x.raw_ < 0) {
-      if (!std::is_constant_evaluated()) ++arithmetic_events.invalid;
-      return Fix();
+      ++arithmetic_events.invalid;
+      return BasicFix();
     }
-    return quantise(square_root(static_cast<UInt128>(x.raw_) << F));
+    return quantise(square_root(static_cast<UInt128>(shifted_left(x.raw_, fix_format.fraction_bits()))));
   }
 
-  constexpr Fix operator-() const { return from_raw(settle(-Sum{raw_})); }
-  constexpr Fix operator+() const { return *this; }
-  constexpr Fix& operator+=(Fix b) { return *this = *this + b; }
-  constexpr Fix& operator-=(Fix b) { return *this = *this - b; }
-  constexpr Fix& operator*=(Fix b) { return *this = *this * b; }
-  constexpr Fix& operator/=(Fix b) { return *this = *this / b; }
+  BasicFix operator-() const { return BasicFix() - *this; }
+  constexpr BasicFix operator+() const { return *this; }
+  BasicFix& operator+=(BasicFix b) { return *this = *this + b; }
+  BasicFix& operator-=(BasicFix b) { return *this = *this - b; }
+  BasicFix& operator*=(BasicFix b) { return *this = *this * b; }
+  BasicFix& operator/=(BasicFix b) { return *this = *this / b; }
 
-  friend constexpr bool operator==(Fix, Fix) = default;
-  friend constexpr std::strong_ordering operator<=>(Fix a, Fix b) { return a.raw_ <=> b.raw_; }
+  friend constexpr bool operator==(BasicFix, BasicFix) = default;
+  friend constexpr std::strong_ordering operator<=>(BasicFix a, BasicFix b) { return a.raw_ <=> b.raw_; }
 
-  friend constexpr Fix abs(Fix x) { return x.raw_ < 0 ? -x : x; }
-  friend constexpr Fix copysign(Fix size, Fix sign) { return (size.raw_ < 0) == (sign.raw_ < 0) ? size : -size; }
-  friend constexpr bool signbit(Fix x) { return x.raw_ < 0; }
-  friend constexpr bool isfinite(Fix) { return true; }
-  friend constexpr bool isnan(Fix) { return false; }
+  friend BasicFix abs(BasicFix x) { return x.raw_ < 0 ? -x : x; }
+  friend BasicFix copysign(BasicFix size, BasicFix sign) { return (size.raw_ < 0) == (sign.raw_ < 0) ? size : -size; }
+  friend constexpr bool signbit(BasicFix x) { return x.raw_ < 0; }
+  friend constexpr bool isfinite(BasicFix) { return true; }
+  friend constexpr bool isnan(BasicFix) { return false; }
 
  private:
-  static constexpr double resolution = 1.0 / static_cast<double>(std::uint64_t{1} << static_cast<unsigned>(F));
-
-  static constexpr Fix quantise(const auto& x) {
-    const auto n = rounded<R>(x);
-    if (Range::contains(n) && !x.exact() && !std::is_constant_evaluated()) {
+  static BasicFix quantise(const Unrounded& x) {
+    const Int128 n = rounded<R>(x);
+    if (!fix_format.contains(n, O)) [[unlikely]]
+      return from_raw(overflowed(n));
+    if (!x.exact()) {
       ++arithmetic_events.inexact;
       if (n == 0) ++arithmetic_events.underflows;
     }
-    return from_raw(settle(n));
+    return from_raw(static_cast<std::int64_t>(n));
   }
 
   /// Into the range.
-  static constexpr std::int64_t settle(auto n) {
-    if (Range::contains(n)) [[likely]]
+  template <class Integer>
+  static std::int64_t settle(Integer n) {
+    if (fix_format.contains(n, O)) [[likely]]
       return static_cast<std::int64_t>(n);
-    if (!std::is_constant_evaluated()) count_saturation();
-    return Range::overflowed(n);
+    return overflowed(n);
+  }
+
+  [[gnu::cold]] static std::int64_t overflowed(Int128 n) {
+    count_saturation();
+    return fix_format.overflowed(n, O);
   }
 
   static void count_saturation() {
@@ -109,49 +124,49 @@ class Fix {
     ++arithmetic_events.inexact;
   }
 
-  static constexpr Fix divide_by_zero(Fix numerator) {
-    if (!std::is_constant_evaluated()) ++arithmetic_events.divisions_by_zero;
-    if (numerator.raw_ == 0) return Fix();
-    return from_raw(numerator.raw_ < 0 ? Range::smallest : Range::largest);
+  static BasicFix divide_by_zero(BasicFix numerator) {
+    ++arithmetic_events.divisions_by_zero;
+    if (numerator.raw_ == 0) return BasicFix();
+    return from_raw(numerator.raw_ < 0 ? fix_format.smallest(O) : fix_format.largest());
   }
 
-  static constexpr std::int64_t from_double(double x);
+  static std::int64_t from_double(double x);
 
   std::int64_t raw_ = 0;
 };
 
 /// A double is an integer of 53 bits times a power of two.
-template <int W, int F, Rounding R, Overflow O>
-constexpr std::int64_t Fix<W, F, R, O>::from_double(double x) {
+template <Rounding R, Overflow O>
+std::int64_t BasicFix<R, O>::from_double(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const bool negative = bits >> 63U != 0;
   const int biased = static_cast<int>(bits >> 52U) & 0x7ff;
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52U) - 1);
   if (biased == 0x7ff) {
-    const bool nan = fraction != 0;
-    if (!std::is_constant_evaluated()) {
-      if (nan)
-        ++arithmetic_events.invalid;
-      else
-        count_saturation();
+    if (fraction != 0) {
+      ++arithmetic_events.invalid;
+      return 0;
     }
-    if (nan) return 0;
-    return negative ? Range::smallest : Range::largest;
+    count_saturation();
+    return negative ? fix_format.smallest(O) : fix_format.largest();
   }
   const auto size = static_cast<Int128>(biased == 0 ? fraction : fraction | (std::uint64_t{1} << 52U));
   const Int128 significand = negative ? -size : size;
-  const int shift = (biased == 0 ? 1 : biased) - 1075 + F;  // to units of the last place
+  const int shift = (biased == 0 ? 1 : biased) - 1075 + fix_format.fraction_bits();  // to units of the last place
   // Below -60 all 53 bits lie under a quarter of the last place; above 70 all lie beyond the range, and 2^W divides it.
   if (shift <= 0) return quantise(scaled_down(significand, shift < -60 ? 60 : -shift)).raw_;
   return settle(significand << (shift > 70 ? 70 : shift));
 }
 
+/// As a datapath's.
+using Fix = BasicFix<Rounding::SC_RND_CONV, Overflow::SC_SAT>;
+
 }  // namespace pyrasim
 
-template <int W, int F, pyrasim::Rounding R, pyrasim::Overflow O>
-class std::numeric_limits<pyrasim::Fix<W, F, R, O>> {
-  using Number = pyrasim::Fix<W, F, R, O>;
-  using Range = pyrasim::FixRange<W, O>;
+/// What depends on the format is that of the format set on this thread, and no constant.
+template <pyrasim::Rounding R, pyrasim::Overflow O>
+class std::numeric_limits<pyrasim::BasicFix<R, O>> {
+  using Number = pyrasim::BasicFix<R, O>;
 
  public:
   static constexpr bool is_specialized = true;
@@ -164,11 +179,10 @@ class std::numeric_limits<pyrasim::Fix<W, F, R, O>> {
   static constexpr bool has_infinity = false;
   static constexpr bool has_quiet_NaN = false;  // NOLINT(readability-identifier-naming): std
   static constexpr int radix = 2;
-  static constexpr int digits = W - 1;
   static constexpr Number min() { return Number::from_raw(1); }  ///< the smallest positive value
-  static constexpr Number max() { return Number::from_raw(Range::largest); }
-  static constexpr Number lowest() { return Number::from_raw(Range::smallest); }
+  static Number max() { return Number::from_raw(pyrasim::fix_format.largest()); }
+  static Number lowest() { return Number::from_raw(pyrasim::fix_format.smallest(O)); }
   static constexpr Number epsilon() { return Number::from_raw(1); }  ///< 2^-F: the spacing everywhere
   static constexpr Number denorm_min() { return Number::from_raw(1); }
-  static constexpr Number infinity() { return max(); }  ///< no infinity: what lies behind all numbers is the largest
+  static Number infinity() { return max(); }  ///< no infinity: what lies behind all numbers is the largest
 };

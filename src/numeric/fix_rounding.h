@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a number that lies between two fixed-point values becomes one, and what becomes of one that is out of range:
-// the quantisation and overflow modes of IEEE 1666-2011 (SystemC), 7.10.9, under their names there.
+// How a number that lies between two fixed-point values becomes one: the quantisation modes of IEEE 1666-2011
+// (SystemC), 7.10.9, under their names there.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
 
-namespace pyrasim {
+#include "numeric/int128.h"
 
-__extension__ using Int128 = __int128;
-__extension__ using UInt128 = unsigned __int128;
+namespace pyrasim {
 
 enum class Rounding : std::uint8_t {
   SC_RND,          ///< to nearest, ties towards plus infinity
@@ -22,35 +21,38 @@ enum class Rounding : std::uint8_t {
   SC_TRN_ZERO      ///< towards zero
 };
 
-enum class Overflow : std::uint8_t {
-  SC_SAT,       ///< the nearest value of the format
-  SC_SAT_ZERO,  ///< zero
-  SC_SAT_SYM,   ///< as SC_SAT, in a range without the most negative value, so that it is symmetric
-  SC_WRAP       ///< modulo 2^W (n_bits = 0)
-};
-
 /// A real number in units of the format's last place: `floor`, and above it half a unit where `half`, and then some
 /// more but less than half a unit where `sticky`.
-template <class Integer>
 struct Unrounded {
-  Integer floor;
+  Int128 floor;
   bool half;
   bool sticky;
 
   constexpr bool exact() const { return !(half || sticky); }
 };
 
-/// value / 2^places, 0 <= places < the bits of Integer.
-template <class Integer>
-constexpr Unrounded<Integer> scaled_down(Integer value, int places) {
-  if (places == 0) return {value, false, false};
-  const Integer rest = value & ((Integer{1} << places) - 1);
-  const Integer half = Integer{1} << (places - 1);
-  return {value >> places, rest >= half, (rest & (half - 1)) != 0};
+/// value * 2^places, 0 <= places < 64.
+constexpr Int128 shifted_left(std::int64_t value, int places) {
+  const auto high = (value >> 1) >> (63 - places);
+  const auto low = static_cast<std::uint64_t>(value) << places;
+  return (static_cast<Int128>(high) << 64U) | low;
+}
+
+/// value / 2^places, 0 <= places < 64.
+constexpr Unrounded scaled_down(Int128 value, int places) {
+  // In words: a shift of 128 bits would allow for more places.
+  const auto high = static_cast<std::int64_t>(value >> 64U);
+  const auto low = static_cast<std::uint64_t>(value);
+  const std::uint64_t rest_mask = (std::uint64_t{1} << places) - 1;
+  const std::uint64_t half = (rest_mask >> 1U) + 1;
+  const auto floor_low = (low >> places) | (static_cast<std::uint64_t>(high) << 1U << (63 - places));
+  const Int128 floor = (static_cast<Int128>(high >> places) << 64U) | floor_low;
+  const std::uint64_t rest = low & rest_mask;
+  return {floor, (rest & half) != 0, (rest & (rest_mask >> 1U)) != 0};
 }
 
 /// numerator / denominator; the denominator is not 0.
-constexpr Unrounded<Int128> quotient(Int128 numerator, std::int64_t denominator) {
+constexpr Unrounded quotient(Int128 numerator, std::int64_t denominator) {
   const bool fits = numerator == static_cast<std::int64_t>(numerator) && denominator != -1;
   // A division of 64 bits takes a fraction of the time of one of 128.
   Int128 floor = fits ? static_cast<std::int64_t>(numerator) / denominator : numerator / denominator;
@@ -65,7 +67,7 @@ constexpr Unrounded<Int128> quotient(Int128 numerator, std::int64_t denominator)
 }
 
 /// The square root of a number < 2^126. (floor + 1/2)^2 is no integer, so that a root is never half-way.
-constexpr Unrounded<Int128> square_root(UInt128 square) {
+constexpr Unrounded square_root(UInt128 square) {
   if (square == 0) return {0, false, false};
   // Heron's iteration from above falls until it reaches the floor, at once from the root in double: that is off by
   // 2^-52 of itself at most, and 2^-50 more and one more on top lie above.
@@ -79,8 +81,8 @@ constexpr Unrounded<Int128> square_root(UInt128 square) {
 }
 
 /// To an integer of the last place. Ties can be told apart because `half` without `sticky` is exactly one half.
-template <Rounding R, class Integer>
-constexpr Integer rounded(const Unrounded<Integer>& x) {
+template <Rounding R>
+constexpr Int128 rounded(const Unrounded& x) {
   const bool negative = x.floor < 0;
   bool up = false;
   if constexpr (R == Rounding::SC_RND) up = x.half;
@@ -91,28 +93,5 @@ constexpr Integer rounded(const Unrounded<Integer>& x) {
   if constexpr (R == Rounding::SC_TRN_ZERO) up = negative & (x.half | x.sticky);
   return x.floor + (up ? 1 : 0);
 }
-
-/// The integers of W bits in two's complement that the overflow mode uses.
-template <int W, Overflow O>
-struct FixRange {
-  static constexpr std::int64_t largest = static_cast<std::int64_t>((std::uint64_t{1} << (W - 1)) - 1);
-  static constexpr std::int64_t smallest = O == Overflow::SC_SAT_SYM ? -largest : -largest - 1;
-
-  template <class Integer>
-  static constexpr bool contains(Integer n) {
-    return n >= smallest && n <= largest;
-  }
-
-  /// What an integer outside the range becomes.
-  template <class Integer>
-  static constexpr std::int64_t overflowed(Integer n) {
-    if constexpr (O == Overflow::SC_SAT_ZERO) return 0;
-    if constexpr (O == Overflow::SC_WRAP) {
-      constexpr unsigned spare = 64 - W;
-      return static_cast<std::int64_t>(static_cast<std::uint64_t>(n) << spare) >> spare;
-    }
-    return n < 0 ? smallest : largest;
-  }
-};
 
 }  // namespace pyrasim

@@ -16,41 +16,37 @@
 // A multiply-add fused in double would not be exact, and there is none.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <compare>
 #include <concepts>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "numeric/arithmetic_events.h"
 #include "numeric/flt_edge.h"
-#include "numeric/flt_rounding.h"
+#include "numeric/flt_format.h"
 
 namespace pyrasim {
 
-/// A floating-point number; `E` bits of exponent, `P` of significand with the hidden one: 1 + E + P - 1 bits in all.
-/// Rounds to nearest, ties to even; subnormal numbers, infinities and NaN as IEEE 754. Counts arithmetic_events.
-template <int E, int P>
+/// A floating-point number of the format that is set on this thread: E bits of exponent, P of significand with the
+/// hidden one. Rounds to nearest, ties to even; subnormal numbers, infinities and NaN as IEEE 754. Counts
+/// arithmetic_events.
 class Flt {
-  static_assert(2 <= E && E <= 11, "the exponent must fit into that of double");
-  static_assert(2 <= P && P <= 25, "2P + 2 <= 53: beyond that an operation in double would round twice");
-  using Rounding = FltRounding<E, P>;
-  using Edge = FltEdge<E, P>;
-
  public:
-  static constexpr int exponent_bits = E;
-  static constexpr int significand_bits = P;
+  using Format = FltFormat;
+  /// The format set on this thread: FormatScope.
+  static Format& format() { return flt_format; }
 
   constexpr Flt() = default;
   /// The nearest value.
   template <std::floating_point Number>
-  constexpr explicit Flt(Number x) : value_(Edge::convert(x)) {
+  explicit Flt(Number x) : value_(converted(x)) {
     static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, float>);
   }
   template <std::integral Number>
-  constexpr explicit Flt(Number n) : value_(Edge::convert_integer(n)) {}
+  explicit Flt(Number n) : value_(converted_integer(n)) {}
 
   /// A double that is known to be a value of the format.
   static constexpr Flt from_exact(double value) {
@@ -66,26 +62,26 @@ class Flt {
   friend Flt operator-(Flt a, Flt b) { return add(a.value_, -b.value_); }
   friend Flt operator*(Flt a, Flt b) {
     const double product = a.value_ * b.value_;
-    if (!Rounding::is_normal(product)) [[unlikely]]
-      return from_exact(Edge::multiply(a.value_, b.value_));
-    const double rounded = Rounding::round_normal(product);
+    if (!flt_format.is_normal(product)) [[unlikely]]
+      return from_exact(flt_edge::multiply(flt_format, a.value_, b.value_));
+    const double rounded = flt_format.round_normal(product);
     arithmetic_events.inexact += rounded != product ? 1 : 0;
     return from_exact(rounded);
   }
   friend Flt operator/(Flt a, Flt b) {
     const double quotient = a.value_ / b.value_;
-    if (!Rounding::is_normal(quotient)) [[unlikely]]
-      return from_exact(Edge::divide(a.value_, b.value_));
-    const double rounded = Rounding::round_normal(quotient);
-    arithmetic_events.inexact += Edge::is_product(a.value_, rounded, b.value_) ? 0 : 1;
+    if (!flt_format.is_normal(quotient)) [[unlikely]]
+      return from_exact(flt_edge::divide(flt_format, a.value_, b.value_));
+    const double rounded = flt_format.round_normal(quotient);
+    arithmetic_events.inexact += is_product(a.value_, rounded, b.value_) ? 0 : 1;
     return from_exact(rounded);
   }
   friend Flt sqrt(Flt x) {
     const double root = std::sqrt(x.value_);
-    if (!Rounding::is_normal(root)) [[unlikely]]
-      return from_exact(Edge::square_root(x.value_));
-    const double rounded = Rounding::round_normal(root);
-    arithmetic_events.inexact += Edge::is_product(x.value_, rounded, rounded) ? 0 : 1;
+    if (!flt_format.is_normal(root)) [[unlikely]]
+      return from_exact(flt_edge::square_root(flt_format, x.value_));
+    const double rounded = flt_format.round_normal(root);
+    arithmetic_events.inexact += is_product(x.value_, rounded, rounded) ? 0 : 1;
     return from_exact(rounded);
   }
 
@@ -106,30 +102,55 @@ class Flt {
   friend bool isnan(Flt x) { return std::isnan(x.value_); }
 
  private:
+  static double converted(double x) {
+    if (!flt_format.is_normal(x)) [[unlikely]]
+      return flt_edge::convert(flt_format, x);
+    const double rounded = flt_format.round_normal(x);
+    arithmetic_events.inexact += rounded != x ? 1 : 0;
+    return rounded;
+  }
+
+  /// Every format has 0 to 3. Above 2^53 a long integer would be rounded twice: its last eleven bits become one that
+  /// tells whether any was set. What remains has 42 bits or more, enough for the format's rounding.
+  template <std::integral Integer>
+  static double converted_integer(Integer n) {
+    const bool negative = std::cmp_less(n, 0);
+    auto bits = static_cast<std::uint64_t>(n);
+    if (negative) bits = -bits;
+    if (bits <= 3) return static_cast<double>(n);
+    if (bits >> 53U != 0) {
+      bits = (bits & ~std::uint64_t{0x7ff}) | (static_cast<std::uint64_t>((bits & 0x7ffU) != 0) << 11U);
+    }
+    const auto exact = static_cast<double>(bits);
+    return converted(negative ? -exact : exact);
+  }
+
   static Flt add(double a, double b) {
     const double sum = a + b;
-    if (!Rounding::is_normal(sum)) [[unlikely]]
-      return from_exact(Edge::add(a, b));
-    const double rounded = Rounding::round_normal(sum);
+    if (!flt_format.is_normal(sum)) [[unlikely]]
+      return from_exact(flt_edge::add(flt_format, a, b));
+    const double rounded = flt_format.round_normal(sum);
     // The difference to the larger operand is exact, so it equals the other one only if the sum is.
     arithmetic_events.inexact += ((rounded - a == b) & (rounded - b == a)) ? 0 : 1;
     return from_exact(rounded);
   }
 
+  /// Whether product = a * b exactly, where it holds nearly. Up to 10 bits of exponent double's product is exact.
+  static bool is_product(double product, double a, double b) {
+    if (flt_format.exponent_bits() > 10) [[unlikely]]
+      return flt_edge::is_product(product, a, b);
+    return a * b == product;
+  }
+
   double value_ = 0;
 };
 
-using Fp16 = Flt<5, 11>;  ///< IEEE 754 binary16
-using Bf16 = Flt<8, 8>;   ///< bfloat16
-using Tf32 = Flt<8, 11>;  ///< TensorFloat-32: 19 bits
-using Fp24 = Flt<7, 17>;  ///< 24 bits
-
 }  // namespace pyrasim
 
-template <int E, int P>
-class std::numeric_limits<pyrasim::Flt<E, P>> {
-  using Number = pyrasim::Flt<E, P>;
-  using Rounding = pyrasim::FltRounding<E, P>;
+/// What depends on the format is that of the format set on this thread, and no constant.
+template <>
+class std::numeric_limits<pyrasim::Flt> {
+  using Number = pyrasim::Flt;
 
  public:
   static constexpr bool is_specialized = true;
@@ -142,14 +163,13 @@ class std::numeric_limits<pyrasim::Flt<E, P>> {
   static constexpr bool has_quiet_NaN = true;  // NOLINT(readability-identifier-naming): std
   static constexpr std::float_round_style round_style = std::round_to_nearest;
   static constexpr int radix = 2;
-  static constexpr int digits = P;
-  static constexpr int min_exponent = Rounding::smallest_exponent + 1;
-  static constexpr int max_exponent = Rounding::largest_exponent + 1;
-  static constexpr Number min() { return Number::from_exact(Rounding::smallest_normal); }
-  static constexpr Number max() { return Number::from_exact(Rounding::largest); }
-  static constexpr Number lowest() { return Number::from_exact(-Rounding::largest); }
-  static constexpr Number epsilon() { return Number(pyrasim::power_of_two(1 - P)); }
-  static constexpr Number denorm_min() { return Number::from_exact(Rounding::spacing); }
+  static Number min() { return Number::from_exact(pyrasim::flt_format.smallest_normal()); }
+  static Number max() { return Number::from_exact(pyrasim::flt_format.largest()); }
+  static Number lowest() { return Number::from_exact(-pyrasim::flt_format.largest()); }
+  static Number epsilon() {
+    return Number::from_exact(pyrasim::power_of_two(1 - pyrasim::flt_format.significand_bits()));
+  }
+  static Number denorm_min() { return Number::from_exact(pyrasim::flt_format.spacing()); }
   static constexpr Number infinity() { return Number::from_exact(std::numeric_limits<double>::infinity()); }
   // NOLINTNEXTLINE(readability-identifier-naming): std
   static constexpr Number quiet_NaN() { return Number::from_exact(std::numeric_limits<double>::quiet_NaN()); }

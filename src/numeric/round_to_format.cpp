@@ -5,11 +5,9 @@
 
 namespace pyrasim {
 
-RoundToFormat rounding_to(const NumberFormat& format) {
-  if (format == NumberFormat()) return nullptr;
-  return with_number_type(format, []<class Number>(std::type_identity<Number>) -> RoundToFormat {
-    return [](double x) { return static_cast<double>(static_cast<Number>(x)); };
-  });
+RoundToFormat::RoundToFormat(const NumberFormat& format) {
+  with_number_type(format,
+                   [this]<class Scalar>(std::type_identity<Scalar>) { format_ = ScalarFormat<Scalar>::current(); });
 }
 
 }  // namespace pyrasim

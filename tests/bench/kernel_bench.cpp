@@ -8,8 +8,7 @@
 #include "../shipped_scene.h"
 #include "camera/view_vector.h"
 #include "intersect/scene_intersector.h"
-#include "numeric/fix.h"
-#include "numeric/flt.h"
+#include "numeric/number_types.h"
 #include "render/pyramid_renderer.h"
 
 namespace {
@@ -21,7 +20,7 @@ template <class Scalar>
 void trace(benchmark::State& state, const char* name) {
   const Scene scene = shipped_scene(name);
   const SceneIntersector<Scalar> intersector(scene);
-  const ViewVectors view_vectors(scene.camera.screen, 1, FormatOf<Scalar>::value);
+  const ViewVectors view_vectors(scene.camera.screen, 1, format_of<Scalar>());
   Work work;
   GridPoint point;
   for (auto _ : state) {
@@ -66,54 +65,53 @@ std::array<Number, operands> random_operands(unsigned seed) {
 }
 
 /// The number format's price: a * b + c for operands that do not wait for each other, and ns for each.
-template <class Number>
-void multiply_add(benchmark::State& state) {
-  const auto a = random_operands<Number>(1);
-  const auto b = random_operands<Number>(2);
-  const auto c = random_operands<Number>(3);
-  std::array<Number, operands> results;
-  for (auto _ : state) {
-    for (std::size_t k = 0; k < operands; ++k) results[k] = a[k] * b[k] + c[k];
-    benchmark::DoNotOptimize(results.data());
-    benchmark::ClobberMemory();
-  }
+void multiply_add(benchmark::State& state, const char* format) {
+  with_number_type(parse_number_format(format), [&]<class Number>(std::type_identity<Number>) {
+    const auto a = random_operands<Number>(1);
+    const auto b = random_operands<Number>(2);
+    const auto c = random_operands<Number>(3);
+    std::array<Number, operands> results;
+    for (auto _ : state) {
+      for (std::size_t k = 0; k < operands; ++k) results[k] = a[k] * b[k] + c[k];
+      benchmark::DoNotOptimize(results.data());
+      benchmark::ClobberMemory();
+    }
+  });
   state.counters["each"] = benchmark::Counter(static_cast<double>(state.iterations()) * operands,
                                               benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 /// The same where each waits for the one before.
-template <class Number>
-void multiply_add_chain(benchmark::State& state) {
-  const auto a = random_operands<Number>(1);
-  const auto b = random_operands<Number>(2);
-  Number x = a[0];
-  for (auto _ : state) {
-    for (std::size_t k = 0; k < operands; ++k) x = x * a[k] + b[k];
-    benchmark::DoNotOptimize(x);
-  }
+void multiply_add_chain(benchmark::State& state, const char* format) {
+  with_number_type(parse_number_format(format), [&]<class Number>(std::type_identity<Number>) {
+    const auto a = random_operands<Number>(1);
+    const auto b = random_operands<Number>(2);
+    Number x = a[0];
+    for (auto _ : state) {
+      for (std::size_t k = 0; k < operands; ++k) x = x * a[k] + b[k];
+      benchmark::DoNotOptimize(x);
+    }
+  });
   state.counters["each"] = benchmark::Counter(static_cast<double>(state.iterations()) * operands,
                                               benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-using Truncating = Fix<48, 20, Rounding::SC_TRN, Overflow::SC_WRAP>;
-
-BENCHMARK(multiply_add<double>);
-BENCHMARK(multiply_add<float>);
-BENCHMARK(multiply_add<Fp16>);
-BENCHMARK(multiply_add<Bf16>);
-BENCHMARK(multiply_add<Tf32>);
-BENCHMARK(multiply_add<Fp24>);
-BENCHMARK(multiply_add<Flt<8, 24>>);
-BENCHMARK(multiply_add<Flt<8, 25>>);
-BENCHMARK(multiply_add<Fix<64, 12>>);
-BENCHMARK(multiply_add<Fix<64, 28>>);
-BENCHMARK(multiply_add<Fix<64, 32>>);
-BENCHMARK(multiply_add<Fix<48, 20>>);
-BENCHMARK(multiply_add<Fix<32, 16>>);
-BENCHMARK(multiply_add<Truncating>);
-BENCHMARK(multiply_add_chain<double>);
-BENCHMARK(multiply_add_chain<Fp24>);
-BENCHMARK(multiply_add_chain<Fix<64, 28>>);
+BENCHMARK_CAPTURE(multiply_add, double, "double");
+BENCHMARK_CAPTURE(multiply_add, float, "float");
+BENCHMARK_CAPTURE(multiply_add, fp16, "fp16");
+BENCHMARK_CAPTURE(multiply_add, bf16, "bf16");
+BENCHMARK_CAPTURE(multiply_add, tf32, "tf32");
+BENCHMARK_CAPTURE(multiply_add, fp24, "fp24");
+BENCHMARK_CAPTURE(multiply_add, e8p24, "e8p24");
+BENCHMARK_CAPTURE(multiply_add, e8p25, "e8p25");
+BENCHMARK_CAPTURE(multiply_add, fix64_12, "fix64.12");
+BENCHMARK_CAPTURE(multiply_add, fix64_28, "fix64.28");
+BENCHMARK_CAPTURE(multiply_add, fix64_32, "fix64.32");
+BENCHMARK_CAPTURE(multiply_add, fix48_20, "fix48.20");
+BENCHMARK_CAPTURE(multiply_add, fix32_16, "fix32.16");
+BENCHMARK_CAPTURE(multiply_add_chain, double, "double");
+BENCHMARK_CAPTURE(multiply_add_chain, fp24, "fp24");
+BENCHMARK_CAPTURE(multiply_add_chain, fix64_28, "fix64.28");
 BENCHMARK_CAPTURE(trace_double, keel, "keel");
 BENCHMARK_CAPTURE(trace_double, spheres, "spheres");
 BENCHMARK_CAPTURE(trace_double, fins, "fins");

@@ -16,7 +16,7 @@ constexpr Screen awkward{641, 479, 1.1, 0.1 / 3, 0.07 / 3};
 template <class Scalar>
 class ViewVectorsOf : public testing::Test {
  protected:
-  static constexpr NumberFormat format = FormatOf<Scalar>::value;
+  const NumberFormat format = format_of<Scalar>();
 };
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(ViewVectorsOf, Scalars);

@@ -22,6 +22,7 @@ class Agreement(tool.EndToEnd):
                 ["keel.json", "--size", "33x17", "--scalar", "fp24"],
                 ["spheres.json", "--size", "24x18", "--scalar", "fix32.20", "--max-level", "2"],
                 ["fins.json", "--size", "24x18", "--scalar", "view_vectors=fix64.32,intersection=e8p20"],
+                ["blocks.json", "--size", "24x18", "--scalar", "view_vectors=e9p21,intersection=fix57.23"],
                 ["spheres.json", "--size", "1x9"]):
             with self.subTest(scene=scene, options=options):
                 frame = [SCENES / scene, *options]
@@ -36,7 +37,7 @@ class Agreement(tool.EndToEnd):
                         cycles.add(document["machine"]["cycles"])
                     self.assertEqual(len(cycles), 1)
 
-    def test_every_number_format(self):
+    def test_number_formats(self):
         """What a narrow format gets wrong it gets wrong alike, with and without the machine, on one thread and two."""
         formats = self.formats()
         self.assertGreaterEqual(len(formats), 35)

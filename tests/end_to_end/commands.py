@@ -131,14 +131,19 @@ class Commands(tool.EndToEnd):
         self.refused(USAGE, *coarse, "--method", "jitter:1", says="multiples of 2^-")
 
     def test_formats(self):
-        """Each that --scalar takes, on a page of its own; the help of --scalar names that page."""
+        """Limits and the usual ones, on a page of their own; the help of --scalar names that page."""
         text = self.ok("formats")
         names = self.formats()
         self.assertEqual(len(names), 35)
         scene = self.write("scene.json", tool.scene())
-        refused = self.run_tool("render", scene, "--scalar", "half").stderr
-        for name in names:
-            self.assertIn(name, refused)
+        limits = ("eEpP, E from 2 to 11 and P from 2 to 25, or fixW.F, W from 2 to 64 and F from 0 to W - 1, is allowed")
+        for name in ("half", "e12p8", "e8p26", "e1p8", "e8p1", "fix65.20", "fix16.16", "fix08.4"):
+            self.refused(USAGE, "render", scene, "--scalar", name, says=limits)
+        for name in ("e6p13", "e11p25", "fix37.21", "fix50.30", "view_vectors=e10p19,intersection=fix33.18"):
+            self.assertNotIn(name, names)
+            document = self.stats("render", scene, "--size", "16x12", "--scalar", name)
+            self.assertEqual(document["scalar"], name)
+            self.assertGreater(document["arithmetic"]["intersection"]["inexact"], 0)
         for row in (r"fp16 +16 +5 +11 +2\^16 +2\^-10 +2\^-24 +also e5p11; IEEE 754 binary16",
                     r"double +64 +11 +53 +2\^1024 +2\^-52 +2\^-1074 .*", r"fix32\.12 +32 +19 +12 +2\^19 +2\^-12"):
             self.assertRegex(text, rf"(?m)^{row}$")

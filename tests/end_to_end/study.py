@@ -31,10 +31,10 @@ class Study(tool.EndToEnd):
         return [tuple(map(eight_bit, samples[k : k + 3])) for k in range(0, len(samples), 3)]
 
     def test_rows_are_those_of_render_and_simulate(self):
-        table = self.ok("study", "numerics", *FRAME, "--formats", "bf16,fp16,fp24,fix32.20,fix24.12",
+        table = self.ok("study", "numerics", *FRAME, "--formats", "bf16,fp16,fp24,fix32.20,fix24.12,e7p13",
                         "--csv", "rows.csv", "--plot", "plot.svg")
         rows = list(csv.DictReader(io.StringIO((self.folder / "rows.csv").read_text())))
-        self.assertEqual([row["format"] for row in rows], ["double", "bf16", "fp16", "fp24", "fix32.20", "fix24.12"])
+        self.assertEqual([row["format"] for row in rows], ["double", "bf16", "fp16", "fp24", "fix32.20", "fix24.12", "e7p13"])
         exact = self.pixels("double")
         for row in rows:
             with self.subTest(format=row["format"]):
@@ -53,7 +53,7 @@ class Study(tool.EndToEnd):
         self.assertGreater(int(rows[1]["flipped"]), int(rows[3]["flipped"]))
         self.assertRegex(table, r"(?m)^ +bf16 +16 +e8 p8 +\d")
         root = xml.etree.ElementTree.parse(self.folder / "plot.svg").getroot()
-        self.assertEqual(len([e for e in root if e.tag.endswith("circle")]), 10)
+        self.assertEqual(len([e for e in root if e.tag.endswith("circle")]), 12)
 
     def test_all_formats_without_a_list(self):
         table = self.ok("study", "numerics", SCENES / "fins.json", "--size", "64x48", "--max-level", "1")

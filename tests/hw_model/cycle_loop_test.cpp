@@ -193,8 +193,8 @@ Case random_case(std::mt19937_64& random) {
   const int objects = random() % 8 == 0 ? 0 : 10;
   result.scene = random_scene(random(), {objects, objects, random() % 4 == 0 ? 1 : 0}, columns, rows);
   result.options.max_level = static_cast<int>(random() % 6);
-  if (random() % 4 == 0) result.options.formats.intersection = FormatOf<float>::value;
-  if (random() % 4 == 0) result.options.formats.view_vectors = FormatOf<Tf32>::value;
+  if (random() % 4 == 0) result.options.formats.intersection = NumberFormat::single();
+  if (random() % 4 == 0) result.options.formats.view_vectors = tf32;
   result.spec = random_machine(random, result.options.max_level);
   if (random() % 4 == 0) result.scene.camera.window = random_window(random, result.scene.camera.screen);
   return result;

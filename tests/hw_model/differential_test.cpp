@@ -36,8 +36,8 @@ TEST_P(RandomMachines, EnginesAgreeInEveryAccount) {
     SimulationOptions options;
     options.max_level = static_cast<int>(random() % 6);
     options.edge = random() % 2 == 0 ? EdgePolicy::mean : EdgePolicy::drop;
-    if (random() % 4 == 0) options.formats.intersection = FormatOf<float>::value;
-    if (random() % 4 == 0) options.formats.view_vectors = FormatOf<Tf32>::value;
+    if (random() % 4 == 0) options.formats.intersection = NumberFormat::single();
+    if (random() % 4 == 0) options.formats.view_vectors = tf32;
     const MachineSpec spec = random_machine(random, options.max_level);
     Processor& decoupled = simulation.add(scene, spec, options);
     options.engine = Engine::lockstep;

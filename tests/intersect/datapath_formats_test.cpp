@@ -6,12 +6,9 @@
 #include "../test_scenes.h"
 #include "camera/view_vector.h"
 #include "error.h"
-#include "numeric/number_types.h"
 
 namespace pyrasim {
 namespace {
-
-constexpr NumberFormat fp24 = FormatOf<Fp24>::value;
 
 TEST(DatapathFormats, AreReadAsTheyAreWritten) {
   EXPECT_EQ(parse_datapath_formats("double"), DatapathFormats());
@@ -82,18 +79,17 @@ TEST(DatapathFormats, AreRefusedWhereFixedPointCannotTellPointsApart) {
 
 TEST(DatapathFormats, AreRefusedWhereALongViewVectorOverflows) {
   const Screen wide{64, 48, 1, 2, 2};  // the corner's vector is (1, 48, 64): its squared length 6401 has 13 bits
-  const NumberFormat narrow = FormatOf<Fix<32, 20>>::value;
+  const NumberFormat narrow = NumberFormat::fixed(32, 20);
   EXPECT_THROW(check_addressing({narrow, {}}, wide, 1), UsageError);
   EXPECT_THROW(check_addressing({{}, narrow}, wide, 1), UsageError);
-  EXPECT_EQ(check_addressing({FormatOf<Fix<32, 16>>::value, {}}, wide, 1), std::nullopt);
+  EXPECT_EQ(check_addressing({NumberFormat::fixed(32, 16), {}}, wide, 1), std::nullopt);
 }
 
 /// The exponent of fp16: numbers below 2^16, and multiples of 2^-24.
 TEST(DatapathFormats, AreRefusedWhereAnExponentIsTooShort) {
-  const NumberFormat fp16 = FormatOf<Fp16>::value;
   const Screen nearly_a_half_space{64, 48, 1, 8, 8};  // a squared length of 1 + 192^2 + 256^2, which is 2^16.6
   EXPECT_THROW(check_addressing({fp16, {}}, nearly_a_half_space, 1), UsageError);
-  EXPECT_NO_THROW(check_addressing({FormatOf<Bf16>::value, {}}, nearly_a_half_space, 1));
+  EXPECT_NO_THROW(check_addressing({bf16, {}}, nearly_a_half_space, 1));
   const Screen tele{16, 12, 1, 0x1p-24, 0x1p-24};
   EXPECT_NO_THROW(check_addressing({{}, fp16}, tele, 1));
   EXPECT_THROW(check_addressing({{}, fp16}, tele, 2), UsageError);
@@ -102,8 +98,8 @@ TEST(DatapathFormats, AreRefusedWhereAnExponentIsTooShort) {
 
 TEST(DatapathFormats, WarnBelowLogOfThePointsPlusFourBits) {
   const Screen screen{512, 256, 1, 0.001, 0.001};  // times 8 steps: 2^12 points
-  EXPECT_EQ(check_addressing({FormatOf<Flt<8, 16>>::value, {}}, screen, 8), std::nullopt);
-  const auto warning = check_addressing({{}, FormatOf<Flt<8, 15>>::value}, screen, 8);
+  EXPECT_EQ(check_addressing({NumberFormat::floating(8, 16), {}}, screen, 8), std::nullopt);
+  const auto warning = check_addressing({{}, NumberFormat::floating(8, 15)}, screen, 8);
   ASSERT_TRUE(warning.has_value());
   EXPECT_NE(warning->find("e8p15 for intersection: 15 significand bits are fewer than the 16"), std::string::npos)
       << *warning;

@@ -18,8 +18,8 @@ template <class Scalar>
 class Prepared {
  public:
   explicit Prepared(const Scene& scene)
-      : exact_(prepare_scene(scene, FormatOf<Scalar>::value)),
-        boxes_(exact_, FormatOf<Scalar>::value),
+      : exact_(prepare_scene(scene, format_of<Scalar>())),
+        boxes_(exact_, format_of<Scalar>()),
         scene_(rounded<Scalar>(exact_)),
         every_(scene_) {
     every_.root = every_.everything;
@@ -53,7 +53,7 @@ GeneralRay random_ray(Random& random, double unit) {
 
 template <class Scalar>
 void expect_what_every_test_finds(int scenes, int rays_each) {
-  SCOPED_TRACE(FormatOf<Scalar>::value.name());
+  SCOPED_TRACE(format_of<Scalar>().name());
   Random random(91);
   int hits = 0;
   std::uint64_t tests = 0, all_tests = 0;
@@ -83,6 +83,32 @@ TEST(GeneralRays, AMillionInDoubleFindWhatEveryTestFinds) { expect_what_every_te
 
 TEST(GeneralRays, FindWhatEveryTestFindsInEveryFormat) {
   for_every_format([]<class Scalar>() { expect_what_every_test_finds<Scalar>(4, 1500); });
+}
+
+/// Whatever format is set where a ray is sent.
+TEST(GeneralRays, AreComputedInTheFormatOfTheirScene) {
+  const auto prepared_in = [](const NumberFormat& format) {
+    const FormatScope<Flt> scope(format);
+    return Prepared<Flt>(mixed_scene(2));
+  };
+  const auto nearest_in = [](const NumberFormat& format, const Prepared<Flt>& scene, const GeneralRay& ray) {
+    const FormatScope<Flt> scope(format);
+    Work work;
+    return scene.hierarchy().nearest(ray, work);
+  };
+  const Prepared<Flt> coarse = prepared_in(bf16);
+  const Prepared<Flt> fine = prepared_in(fp24);
+  const FormatScope<Flt> scope(bf16);
+  Random random(23);
+  int different = 0;
+  for (int k = 0; k < 300; ++k) {
+    const GeneralRay ray = random_ray<Flt>(random, coarse.unit());
+    const auto expected = nearest_in(bf16, coarse, ray);
+    ASSERT_EQ(nearest_in(fp24, coarse, ray), expected) << k;
+    ASSERT_EQ(nearest_in(bf16, fine, ray), nearest_in(fp24, fine, ray)) << k;
+    different += nearest_in(fp24, fine, ray) != expected ? 1 : 0;
+  }
+  EXPECT_GT(different, 100);
 }
 
 /// The scene as decimal numbers.

@@ -5,6 +5,8 @@
 #include <random>
 
 #include "../numeric/ties/every_hit.h"
+#include "error.h"
+#include "intersect/datapath_formats.h"
 #include "intersect/scene_intersector.h"
 
 namespace pyrasim {
@@ -106,7 +108,7 @@ template <class Scalar>
 void expect_no_false_miss(std::uint64_t seed) {
   Provocation provocation(seed);
   const SceneIntersector<Scalar> intersector(provocation.scene());
-  const auto every_hit = make_every_hit(provocation.scene(), FormatOf<Scalar>::value);
+  const auto every_hit = make_every_hit(provocation.scene(), format_of<Scalar>());
   const auto& spheres = surfaces_of<SphereSurface>(intersector.scene());
   for (std::size_t k = 0; k < 600; ++k) {
     glm::dvec3 view_vector = provocation.view_vector();
@@ -125,15 +127,39 @@ void expect_no_false_miss(std::uint64_t seed) {
   }
 }
 
+void expect_no_false_miss(std::uint64_t seed, const NumberFormat& format) {
+  SCOPED_TRACE(format.name() + ", seed " + std::to_string(seed));
+  with_number_type(format, [seed]<class Scalar>(std::type_identity<Scalar>) { expect_no_false_miss<Scalar>(seed); });
+}
+
 TEST(Hierarchy, NeverMissesWhatTestingEverySurfaceHits) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    expect_no_false_miss<double>(seed);
-    expect_no_false_miss<float>(seed);
-    expect_no_false_miss<Fp24>(seed);
-    expect_no_false_miss<Tf32>(seed);
-    expect_no_false_miss<Bf16>(seed);
+    for (const NumberFormat& format : {NumberFormat(), NumberFormat::single(), fp24, tf32, bf16}) {
+      expect_no_false_miss(seed, format);
+    }
   }
+}
+
+/// Formats of any widths, as long as a machine with them is not refused.
+TEST(Hierarchy, NorInRandomFormats) {
+  std::mt19937_64 random(12);
+  const auto draw = [&](int first, int last) { return std::uniform_int_distribution(first, last)(random); };
+  int tested = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    const int bits = draw(min_fixed_bits, max_fixed_bits);
+    const NumberFormat format = seed % 2 == 0
+                                    ? NumberFormat::fixed(bits, draw(0, bits - 1))
+                                    : NumberFormat::floating(draw(min_exponent_bits, max_exponent_bits),
+                                                             draw(min_significand_bits, max_significand_bits));
+    try {
+      check_addressing({format, format}, Provocation(seed).scene().camera.screen, 1);
+    } catch (const UsageError&) {
+      continue;
+    }
+    ++tested;
+    expect_no_false_miss(seed, format);
+  }
+  EXPECT_GT(tested, 150);
 }
 
 }  // namespace

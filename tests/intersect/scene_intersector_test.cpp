@@ -17,7 +17,7 @@ namespace {
 template <class Scalar>
 class BruteForce {
  public:
-  explicit BruteForce(const Scene& scene) : every_hit_(make_every_hit(scene, FormatOf<Scalar>::value)) {
+  explicit BruteForce(const Scene& scene) : every_hit_(make_every_hit(scene, format_of<Scalar>())) {
     for (const Object& entry : scene.objects) {
       Scene alone = scene;
       alone.objects = {entry};

@@ -144,7 +144,7 @@ TYPED_TEST(WorkOf, ARayIsThatOfAPlainWalk) {
 /// What a hit in a leaf errs by at most decides how much is looked at behind it.
 TYPED_TEST(WorkOf, ALeafErrsByTheMostOfItsSurfaces) {
   const Scene scene = random_scene(6, {60, 60, 0, 30, 30}, 64, 64);
-  const PreparedScene<double> prepared = prepare_scene(scene, FormatOf<TypeParam>::value);
+  const PreparedScene<double> prepared = prepare_scene(scene, format_of<TypeParam>());
   int of_several = 0;
   for (std::size_t k = 0; k < prepared.runs.size(); ++k) {
     const double noted = prepared.runs[k].relative_error;

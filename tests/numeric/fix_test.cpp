@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "fix_operands.h"
 #include "fix_operations.h"
 #include "fix_oracle.h"
 
@@ -14,17 +13,16 @@ namespace {
 /// One format in one pair of modes.
 class Comparison {
  public:
-  explicit Comparison(const FixOperations& fix) : fix_(fix) {}
+  Comparison(const FixOperations& operations, int bits, int fraction_bits) : fix_{operations, bits, fraction_bits} {}
 
   void run(int trials) {
-    FixOperands operands(fix_.smallest, fix_.largest, fix_.fraction_bits, fix_.seed());
+    FixOperands operands = fix_.operands();
     for (int trial = 0; trial < trials; ++trial) {
       compare(operands(), operands());
       compare_conversion(std::ldexp(static_cast<double>(operands()),
                                     -fix_.fraction_bits - static_cast<int>(operands.draw(-3, fix_.bits))));
     }
-    ASSERT_EQ(mismatches_, 0) << "Fix<" << fix_.bits << ", " << fix_.fraction_bits << "> rounding "
-                              << static_cast<int>(fix_.rounding) << " overflow " << static_cast<int>(fix_.overflow);
+    ASSERT_EQ(mismatches_, 0) << fix_.name();
   }
 
  private:
@@ -38,38 +36,39 @@ class Comparison {
       expect_result(operation, a, b, result, exact);
     };
     expect(
-        "+", [&] { return fix_.add(a, b); }, mpq_class(p + q));
+        "+", [&] { return fix_.operations.add(a, b); }, mpq_class(p + q));
     expect(
-        "-", [&] { return fix_.subtract(a, b); }, mpq_class(p - q));
+        "-", [&] { return fix_.operations.subtract(a, b); }, mpq_class(p - q));
     expect(
-        "negation", [&] { return fix_.negate(a); }, mpq_class(-p));
+        "negation", [&] { return fix_.operations.negate(a); }, mpq_class(-p));
     mpq_class exact(p * q, one);
     exact.canonicalize();
     expect(
-        "*", [&] { return fix_.multiply(a, b); }, exact);
+        "*", [&] { return fix_.operations.multiply(a, b); }, exact);
     if (b != 0) {
       exact = mpq_class(p * one, q);
       exact.canonicalize();
       expect(
-          "/", [&] { return fix_.divide(a, b); }, exact);
+          "/", [&] { return fix_.operations.divide(a, b); }, exact);
     }
     if (a < 0) return;
-    const mpz_class root = oracle_limited(oracle_root(p * one, fix_.rounding), fix_.bits, fix_.overflow);
-    if (to_mpz(fix_.square_root(a)) != root) fail("sqrt", a, b);
+    const mpz_class root =
+        oracle_limited(oracle_root(p * one, fix_.operations.rounding), fix_.bits, fix_.operations.overflow);
+    if (to_mpz(fix_.operations.square_root(a)) != root) fail("sqrt", a, b);
   }
 
   void compare_conversion(double x) {
     mpq_class exact(x);
     mpq_mul_2exp(exact.get_mpq_t(), exact.get_mpq_t(), static_cast<unsigned>(fix_.fraction_bits));
     arithmetic_events = {};
-    const std::int64_t result = fix_.convert(x);
+    const std::int64_t result = fix_.operations.convert(x);
     expect_result("conversion", 0, 0, result, exact);
   }
 
   void expect_result(const char* operation, std::int64_t a, std::int64_t b, std::int64_t result,
                      const mpq_class& exact) {
-    const mpz_class unlimited = oracle_rounded(exact, fix_.rounding);
-    const mpz_class limited = oracle_limited(unlimited, fix_.bits, fix_.overflow);
+    const mpz_class unlimited = oracle_rounded(exact, fix_.operations.rounding);
+    const mpz_class limited = oracle_limited(unlimited, fix_.bits, fix_.operations.overflow);
     ArithmeticEvents events;
     events.saturations = limited != unlimited ? 1 : 0;
     events.inexact = exact != limited ? 1 : 0;
@@ -81,72 +80,90 @@ class Comparison {
     if (++mismatches_ <= 3) ADD_FAILURE() << operation << " of " << a << " and " << b;
   }
 
-  FixOperations fix_;
+  FixInFormat fix_;
   int mismatches_ = 0;
 };
 
-void run_modes(const std::vector<FixOperations>& modes) {
-  for (const FixOperations& fix : modes) Comparison(fix).run(6000);
+void run_modes(int bits, int fraction_bits) {
+  for (const FixOperations& mode : fix_modes()) Comparison(mode, bits, fraction_bits).run(6000);
 }
 
 // 7 * 4 modes, 6 formats: 1 008 000 pairs for each operation.
 TEST(Fix, AllModesAreExactIn64Bits) {
-  run_modes(fix_in_all_modes<64, 28>());
-  run_modes(fix_in_all_modes<64, 62>());
-  run_modes(fix_in_all_modes<64, 0>());
+  run_modes(64, 28);
+  run_modes(64, 62);
+  run_modes(64, 0);
 }
 TEST(Fix, AllModesAreExactInFewerBits) {
-  run_modes(fix_in_all_modes<48, 20>());
-  run_modes(fix_in_all_modes<32, 16>());
-  run_modes(fix_in_all_modes<9, 4>());
+  run_modes(48, 20);
+  run_modes(32, 16);
+  run_modes(9, 4);
 }
 
 TEST(Fix, DefaultModesAreExactInAllFractions) {
-  Comparison(fix_operations<64, 12>()).run(20000);
-  Comparison(fix_operations<64, 20>()).run(20000);
-  Comparison(fix_operations<64, 32>()).run(20000);
-  Comparison(fix_operations<33, 32>()).run(20000);
-  Comparison(fix_operations<2, 1>()).run(2000);
+  const FixOperations modes = fix_operations();
+  Comparison(modes, 64, 12).run(20000);
+  Comparison(modes, 64, 20).run(20000);
+  Comparison(modes, 64, 32).run(20000);
+  Comparison(modes, 33, 32).run(20000);
+  Comparison(modes, 2, 1).run(2000);
 }
 
-using Small = Fix<16, 8>;  // -128 to 128 - 2^-8
+/// 2079 formats, each in one pair of modes by turns: 207 900 pairs for each operation.
+TEST(Fix, EveryFormatIsExact) {
+  const std::vector<FixOperations> modes = fix_modes();
+  std::size_t formats = 0;
+  for (int bits = min_fixed_bits; bits <= max_fixed_bits; ++bits) {
+    for (int fraction_bits = 0; fraction_bits < bits; ++fraction_bits) {
+      Comparison(modes[formats++ % modes.size()], bits, fraction_bits).run(100);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+const NumberFormat small = NumberFormat::fixed(16, 8);  // -128 to 128 - 2^-8
+using Limits = std::numeric_limits<Fix>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 ArithmeticEvents events_of(auto action) {
+  const FormatScope<Fix> scope(small);
   arithmetic_events = {};
   action();
   return arithmetic_events;
 }
 
 TEST(Fix, SpecialDoublesBecomeNumbers) {
-  ArithmeticEvents events = events_of([] { EXPECT_EQ(Small(std::nan("")), Small(0)); });
+  ArithmeticEvents events = events_of([] { EXPECT_EQ(Fix(std::nan("")), Fix(0)); });
   EXPECT_EQ(events.invalid, 1U);
   events = events_of([] {
-    EXPECT_EQ(Small(infinity), std::numeric_limits<Small>::max());
-    EXPECT_EQ(Small(-infinity), std::numeric_limits<Small>::lowest());
-    EXPECT_EQ((Fix<16, 8, Rounding::SC_TRN, Overflow::SC_WRAP>(infinity).raw()), 0x7fff);
+    EXPECT_EQ(Fix(infinity), Limits::max());
+    EXPECT_EQ(Fix(-infinity), Limits::lowest());
+    EXPECT_EQ((BasicFix<Rounding::SC_TRN, Overflow::SC_WRAP>(infinity).raw()), 0x7fff);
   });
   EXPECT_EQ(events.saturations, 3U);
-  EXPECT_EQ(static_cast<double>(Small(-0.0)), 0);
-  EXPECT_EQ(Small(1e300), std::numeric_limits<Small>::max());
-  EXPECT_EQ(Small(-1e-300), Small(0));
-  EXPECT_EQ((Fix<16, 8, Rounding::SC_TRN>(-1e-300).raw()), -1);
+  const FormatScope<Fix> scope(small);
+  EXPECT_EQ(static_cast<double>(Fix(-0.0)), 0);
+  EXPECT_EQ(Fix(1e300), Limits::max());
+  EXPECT_EQ(Fix(-1e-300), Fix(0));
+  EXPECT_EQ((BasicFix<Rounding::SC_TRN, Overflow::SC_SAT>(-1e-300).raw()), -1);
 }
 
 TEST(Fix, DivisionByZeroSaturatesBySignAndIsCounted) {
   const ArithmeticEvents events = events_of([] {
-    EXPECT_EQ(Small(3) / Small(0), std::numeric_limits<Small>::max());
-    EXPECT_EQ(Small(-3) / Small(0), std::numeric_limits<Small>::lowest());
-    EXPECT_EQ(Small(0) / Small(0), Small(0));
+    EXPECT_EQ(Fix(3) / Fix(0), Limits::max());
+    EXPECT_EQ(Fix(-3) / Fix(0), Limits::lowest());
+    EXPECT_EQ(Fix(0) / Fix(0), Fix(0));
   });
   EXPECT_EQ(events, (ArithmeticEvents{.divisions_by_zero = 3}));
 }
 
 TEST(Fix, IntegersAreScaledAndSaturate) {
-  EXPECT_EQ(Small(-3).raw(), -768);
-  EXPECT_EQ(Small(std::int64_t{1} << 62), std::numeric_limits<Small>::max());
-  EXPECT_EQ(Small(std::numeric_limits<std::uint64_t>::max()), std::numeric_limits<Small>::max());
-  EXPECT_EQ((Fix<64, 0>(std::numeric_limits<std::int64_t>::min()).raw()), std::numeric_limits<std::int64_t>::min());
+  const FormatScope<Fix> scope(small);
+  EXPECT_EQ(Fix(-3).raw(), -768);
+  EXPECT_EQ(Fix(std::int64_t{1} << 62), Limits::max());
+  EXPECT_EQ(Fix(std::numeric_limits<std::uint64_t>::max()), Limits::max());
+  const FormatScope<Fix> integers(NumberFormat::fixed(64, 0));
+  EXPECT_EQ(Fix(std::numeric_limits<std::int64_t>::min()).raw(), std::numeric_limits<std::int64_t>::min());
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
-#include <limits>
 #include <utility>
 
+#include "numeric/format_scope.h"
 #include "numeric/scalar.h"
 
 namespace pyrasim {
@@ -74,12 +74,10 @@ inline Real dot(const RealVector& a, const RealVector& b) { return a.x * b.x + a
 /// The distance between neighbouring values of `Scalar` about `x`: one unit in the last place.
 template <class Scalar>
 double spacing(double x) {
-  using Limits = std::numeric_limits<Scalar>;
-  if constexpr (Limits::is_iec559) {
-    return std::ldexp(1.0, std::max(std::ilogb(x), Limits::min_exponent - 1) + 1 - Limits::digits);
-  } else {
-    return static_cast<double>(Limits::epsilon());
-  }
+  const NumberFormat format = format_of<Scalar>();
+  if (format.kind == NumberKind::fixed) return std::ldexp(1.0, -format.fraction_bits);
+  const int smallest_exponent = 2 - (1 << static_cast<unsigned>(format.exponent_bits - 1));
+  return std::ldexp(1.0, std::max(std::ilogb(x), smallest_exponent) + 1 - format.significand_bits);
 }
 
 /// By how many units in the last place of the exact value a result errs.

@@ -83,29 +83,31 @@ TEST(Scalar, EveryFormatServesTheKernels) {
 
 TEST(Scalar, ViewVectorsComeFromIntegerGridPoints) {
   const Screen screen{.columns = 4, .rows = 2, .dx = 1, .dy = 0.25, .dz = 0.25};
-  const ViewVectors vectors(screen, 8, FormatOf<Fix<64, 20>>::value);
+  const ViewVectors vectors(screen, 8, NumberFormat::fixed(64, 20));
   EXPECT_EQ(vectors({0, 0}), glm::dvec3(1, 0.25, -0.5));
   EXPECT_EQ(vectors({16, 31}), glm::dvec3(1, -0.25, 0.46875));
 }
 
 TEST(Scalar, FunctionsOfTheFormatsAreFoundByTheirArguments) {
-  EXPECT_EQ(abs(Fp24(-2)), Fp24(2));
-  EXPECT_EQ(copysign(Fp24(2), Fp24(-0.0)), Fp24(-2));
-  EXPECT_TRUE(signbit(Fp24(-0.0)) && isfinite(Fp24(1)) && isnan(std::numeric_limits<Fp24>::quiet_NaN()));
-  EXPECT_EQ(std::max(Fp24(1), Fp24(2)), Fp24(2));
-  using Number = Fix<32, 16>;
-  EXPECT_EQ(abs(Number(-2)), Number(2));
-  EXPECT_EQ(copysign(Number(2), Number(-1)), Number(-2));
-  EXPECT_TRUE(signbit(Number(-1)) && isfinite(Number(1)) && !isnan(Number(1)));
-  EXPECT_EQ(std::min(Number(1), Number(2)), Number(1));
+  const FormatScope<Flt> floating(fp24);
+  EXPECT_EQ(abs(Flt(-2)), Flt(2));
+  EXPECT_EQ(copysign(Flt(2), Flt(-0.0)), Flt(-2));
+  EXPECT_TRUE(signbit(Flt(-0.0)) && isfinite(Flt(1)) && isnan(std::numeric_limits<Flt>::quiet_NaN()));
+  EXPECT_EQ(std::max(Flt(1), Flt(2)), Flt(2));
+  const FormatScope<Fix> fixed(NumberFormat::fixed(32, 16));
+  EXPECT_EQ(abs(Fix(-2)), Fix(2));
+  EXPECT_EQ(copysign(Fix(2), Fix(-1)), Fix(-2));
+  EXPECT_TRUE(signbit(Fix(-1)) && isfinite(Fix(1)) && !isnan(Fix(1)));
+  EXPECT_EQ(std::min(Fix(1), Fix(2)), Fix(1));
 }
 
 TEST(ArithmeticEvents, EachThreadCountsItsOwnAndCountsAddUp) {
   arithmetic_events = {};
   ArithmeticEvents other;
   std::thread([&other] {
-    EXPECT_EQ(Fp16(60000) + Fp16(60000), std::numeric_limits<Fp16>::infinity());
-    EXPECT_EQ(static_cast<double>(Fp16(0x1p-20) * Fp16(0x1p-20)), 0);
+    const FormatScope<Flt> scope(fp16);
+    EXPECT_EQ(Flt(60000) + Flt(60000), std::numeric_limits<Flt>::infinity());
+    EXPECT_EQ(static_cast<double>(Flt(0x1p-20) * Flt(0x1p-20)), 0);
     other = arithmetic_events;
   }).join();
   EXPECT_EQ(arithmetic_events, ArithmeticEvents());
@@ -121,19 +123,20 @@ TEST(ArithmeticEvents, EachEventOfAnOperationIsCounted) {
     action();
     return arithmetic_events;
   };
-  const Fp24 one(1);
-  const Fp24 zero(0);
+  const FormatScope<Flt> floating(fp24);
+  const Flt one(1);
+  const Flt zero(0);
   EXPECT_EQ(events_of([&] { return one + one; }), ArithmeticEvents());
-  EXPECT_EQ(events_of([&] { return one / Fp24(3); }), (ArithmeticEvents{.inexact = 1}));
+  EXPECT_EQ(events_of([&] { return one / Flt(3); }), (ArithmeticEvents{.inexact = 1}));
   EXPECT_EQ(events_of([&] { return one / zero; }), (ArithmeticEvents{.divisions_by_zero = 1}));
   EXPECT_EQ(events_of([&] { return zero / zero; }), (ArithmeticEvents{.divisions_by_zero = 1}));
   EXPECT_EQ(events_of([&] { return sqrt(-one); }), (ArithmeticEvents{.invalid = 1}));
-  EXPECT_EQ(events_of([&] { return one + Fp24(0x1p-40); }), (ArithmeticEvents{.inexact = 1}));
-  using Number = Fix<16, 8>;
-  EXPECT_EQ(events_of([] { return Number(100) + Number(100); }), (ArithmeticEvents{.saturations = 1, .inexact = 1}));
-  EXPECT_EQ(events_of([] { return Number::from_raw(1) * Number::from_raw(1); }),
+  EXPECT_EQ(events_of([&] { return one + Flt(0x1p-40); }), (ArithmeticEvents{.inexact = 1}));
+  const FormatScope<Fix> fixed(NumberFormat::fixed(16, 8));
+  EXPECT_EQ(events_of([] { return Fix(100) + Fix(100); }), (ArithmeticEvents{.saturations = 1, .inexact = 1}));
+  EXPECT_EQ(events_of([] { return Fix::from_raw(1) * Fix::from_raw(1); }),
             (ArithmeticEvents{.underflows = 1, .inexact = 1}));
-  EXPECT_EQ(events_of([] { return sqrt(Number(-1)); }), (ArithmeticEvents{.invalid = 1}));
+  EXPECT_EQ(events_of([] { return sqrt(Fix(-1)); }), (ArithmeticEvents{.invalid = 1}));
 }
 
 }  // namespace

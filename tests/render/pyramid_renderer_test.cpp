@@ -163,8 +163,8 @@ TEST(PyramidRenderer, ClosedFormsAtEveryMaxLevel) {
 TEST(PyramidRenderer, SinglePrecisionIsClose) {
   const Scene scene = random_scene(24, {20, 20, 0}, 40, 30);
   const Rendering wide = render(scene, {});
-  const Rendering narrow = render_pyramids(scene, *make_intersector(scene, FormatOf<float>::value),
-                                           {.view_vectors = FormatOf<float>::value});
+  const Rendering narrow = render_pyramids(scene, *make_intersector(scene, NumberFormat::single()),
+                                           {.view_vectors = NumberFormat::single()});
   expect_closed_forms(scene, narrow.statistics);
   EXPECT_LT(image_error(narrow.image, wide.image).rmse, 1e-3);
 }

@@ -77,7 +77,7 @@ TEST(DecisionFlips, ViewVectorsAreRoundedToTheirFormat) {
   Scene scene = four_by_four();
   scene.camera.screen.dy = 0.3007;  // corners at 0.6014, 0.3007, 0, ...
   const HalfPlane edge(0.30075);
-  const DecisionFlips flips = decision_flips(scene, {edge, {}}, {edge, FormatOf<Bf16>::value}, 0, 1);
+  const DecisionFlips flips = decision_flips(scene, {edge, {}}, {edge, bf16}, 0, 1);
   EXPECT_EQ(flips, (DecisionFlips{.decisions = 16, .flipped = 8}));
 }
 

@@ -18,7 +18,7 @@
 
 namespace pyrasim {
 
-/// visit.operator()<Scalar>() for the type of each format in number_formats().
+/// visit.operator()<Scalar>() in each format of number_formats(), for the type that computes in it.
 template <class Visit>
 void for_every_format(const Visit& visit) {
   for (const NumberFormat& format : number_formats()) {
@@ -28,9 +28,11 @@ void for_every_format(const Visit& visit) {
 }
 
 template <class Scalar>
-constexpr bool is_floating = FormatOf<Scalar>::value.kind != NumberKind::fixed;
+constexpr bool is_floating = !std::is_same_v<Scalar, Fix>;
 template <class Scalar>
-constexpr int significand_bits = FormatOf<Scalar>::value.significand_bits;
+int significand_bits() {
+  return format_of<Scalar>().significand_bits;
+}
 
 /// `x` rounded to the format, held in double: scenes made of such numbers reach the datapath unchanged.
 template <class Scalar>

@@ -23,8 +23,7 @@ TEST_P(ExtremesNoNan, PixelsOfShippedScenes) {
   const bool large = std::string(GetParam()) == "bunny";
   for (const NumberFormat& format : number_formats()) {
     // The large mesh takes a while to prepare: double, and the formats with the fewest bits.
-    if (large && format != NumberFormat() && format != FormatOf<Fp16>::value &&
-        format != FormatOf<Fix<24, 12>>::value) {
+    if (large && format != NumberFormat() && format != fp16 && format != NumberFormat::fixed(24, 12)) {
       continue;
     }
     EXPECT_EQ(pixels_without_a_color(picture(scene, format)), 0) << format.name();

@@ -34,7 +34,7 @@ TEST(ExtremesOnSurface, NoSelfHitsAndTheFarSideIsSeen) {
     int inwards = 0;
     Errors errors;
     for (int s = 0; s < 100; ++s) {
-      const auto prepared = prepare_scene(standing_on_a_sphere(random), FormatOf<Scalar>::value);
+      const auto prepared = prepare_scene(standing_on_a_sphere(random), format_of<Scalar>());
       ASSERT_EQ(surfaces_of<SphereSurface>(prepared)[0].power, 0);
       const auto sphere = rounded<Scalar>(surfaces_of<SphereSurface>(prepared)[0]);
       const RealVector center = real(sphere.center);
@@ -55,7 +55,7 @@ TEST(ExtremesOnSurface, NoSelfHitsAndTheFarSideIsSeen) {
     }
     EXPECT_GT(away, 2000);
     EXPECT_GT(inwards, 2000);
-    print_figure("on a sphere, 0 self-hits; far side", FormatOf<Scalar>::value, errors.text());
+    print_figure("on a sphere, 0 self-hits; far side", format_of<Scalar>(), errors.text());
     EXPECT_LE(errors.largest(), 16);
   });
 }
@@ -72,7 +72,7 @@ TEST(ExtremesOnSurface, FromInsideEveryRayMeetsTheSphere) {
       const double center = std::min(as_held<Scalar>(1 - std::exp2(-random.uniform(0, 30))), 1 - last_place);
       Scene scene = empty_scene(64, 64, 0.03);
       scene.objects = {object(Sphere{{0, center, 0}, 1})};
-      const auto prepared = prepare_scene(scene, FormatOf<Scalar>::value);
+      const auto prepared = prepare_scene(scene, format_of<Scalar>());
       const auto sphere = rounded<Scalar>(surfaces_of<SphereSurface>(prepared)[0]);
       const Real scale = std::ldexp(1.0, prepared.exponent);
       for (int k = 0; k < 40; ++k) {
@@ -87,7 +87,7 @@ TEST(ExtremesOnSurface, FromInsideEveryRayMeetsTheSphere) {
         errors.add(error_in_ulp(t, scale * (along + root) / dot(d, d)));
       }
     }
-    print_figure("inside a sphere, 0 lost", FormatOf<Scalar>::value, errors.text());
+    print_figure("inside a sphere, 0 lost", format_of<Scalar>(), errors.text());
     EXPECT_LE(errors.largest(), is_floating<Scalar> ? 16 : 0x1p16);
   });
 }

@@ -18,7 +18,7 @@ Scalar t_of_plane(const Vector<Scalar>& normal, Scalar offset, const Vector<Scal
 TEST(ExtremesPlane, GrazingRays) {
   for_every_format([]<class Scalar>() {
     if (!is_floating<Scalar>) return;
-    const double angle = std::max(1e-6, std::ldexp(1.0, 4 - significand_bits<Scalar>));
+    const double angle = std::max(1e-6, std::ldexp(1.0, 4 - significand_bits<Scalar>()));
     Random random(5);
     Errors errors;
     for (int k = 0; k < 5000; ++k) {
@@ -36,7 +36,7 @@ TEST(ExtremesPlane, GrazingRays) {
     }
     ASSERT_GT(errors.count(), 200U);
     EXPECT_LE(errors.largest(), 3);
-    print_figure(fmt::format("plane at {:.1e}", angle), FormatOf<Scalar>::value, errors.text());
+    print_figure(fmt::format("plane at {:.1e}", angle), format_of<Scalar>(), errors.text());
   });
 }
 
@@ -56,7 +56,7 @@ TEST(ExtremesPlane, FarFromTheOrigin) {
                               std::floor(random.uniform(-7, 8)));
       const double offset = dot(normal, position + glm::dvec3(random.uniform(1, 10), 0, 0));
       scene.objects = {object(Plane{normal, offset})};
-      const auto prepared = prepare_scene(scene, FormatOf<Scalar>::value);
+      const auto prepared = prepare_scene(scene, format_of<Scalar>());
       const auto direction = to_scalar<Scalar>({1, random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)});
       const Real approach = dot(real(normal), real(direction));
       const Real distance = Real(offset) - dot(real(normal), real(position));
@@ -66,7 +66,7 @@ TEST(ExtremesPlane, FarFromTheOrigin) {
       errors.add(error_in_ulp(t, exact));
     }
     ASSERT_GT(errors.count(), 1000U);
-    print_figure("plane 1e6 from the origin", FormatOf<Scalar>::value, errors.text());
+    print_figure("plane 1e6 from the origin", format_of<Scalar>(), errors.text());
     EXPECT_LE(errors.largest(), 3);
   });
 }

@@ -104,7 +104,7 @@ template <class Scalar>
 void expect_no_leaks(int rays) {
   for (const auto& [name, shape] : shapes) {
     const int leaked = leaks<Scalar>(shape, rays);
-    print_figure(fmt::format("leaks, {}", name), FormatOf<Scalar>::value, fmt::format("{} of {}", leaked, rays));
+    print_figure(fmt::format("leaks, {}", name), format_of<Scalar>(), fmt::format("{} of {}", leaked, rays));
     EXPECT_EQ(leaked, 0) << name;
   }
 }
@@ -122,10 +122,10 @@ TEST(ExtremesTriangle, SharedEdgesNeverLeakInAnyFormat) {
 TEST(ExtremesTriangle, FixedPointLeaksOnlyWhereProductsOfThreeCoordinatesVanish) {
   for_every_format([]<class Scalar>() {
     if (is_floating<Scalar>) return;
-    const double kept = std::ldexp(1.0, 1 - FormatOf<Scalar>::value.fraction_bits / 4);
+    const double kept = std::ldexp(1.0, 1 - format_of<Scalar>().fraction_bits / 4);
     EXPECT_EQ(leaks<Scalar>({.radius = kept}, 400), 0);
     EXPECT_GT(leaks<Scalar>({.radius = kept / 4}, 400), 0);
-    print_figure("no leaks in surfaces down to", FormatOf<Scalar>::value, fmt::format("radius {}", kept));
+    print_figure("no leaks in surfaces down to", format_of<Scalar>(), fmt::format("radius {}", kept));
   });
 }
 
@@ -165,7 +165,8 @@ void expect_even_crossings(int rays) {
 TEST(ExtremesTriangle, CrossingsOfAClosedSurfaceAreEven) {
   expect_even_crossings<double>(10'000);
   expect_even_crossings<float>(10'000);
-  expect_even_crossings<Fp24>(2000);
+  const FormatScope<Flt> scope(fp24);
+  expect_even_crossings<Flt>(2000);
 }
 
 }  // namespace

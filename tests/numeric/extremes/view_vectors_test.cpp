@@ -20,7 +20,7 @@ Screen screen_of(int columns) { return {columns, columns - 1, 1.3, 0.7 / columns
 /// 2^-53 of the component. In double itself the product's rounding is the half unit.
 TEST(ExtremesViewVectors, ComponentsErrByHalfAUnit) {
   for_every_format([]<class Scalar>() {
-    const NumberFormat format = FormatOf<Scalar>::value;
+    const NumberFormat format = format_of<Scalar>();
     double worst = 0;
     Random random(1);
     for (const int columns : {5, 640, 16384, max_screen_size}) {
@@ -39,7 +39,7 @@ TEST(ExtremesViewVectors, ComponentsErrByHalfAUnit) {
           for (const auto& [held, exact] : {std::pair(v.y, y), std::pair(v.z, z)}) {
             const double size = std::abs(static_cast<double>(exact));
             const double unit = size > 0 ? spacing<Scalar>(size) : 1;
-            const double in_double = std::ldexp(size, significand_bits<Scalar> == 53 ? -53 : -52);
+            const double in_double = std::ldexp(size, significand_bits<Scalar>() == 53 ? -53 : -52);
             const double error = static_cast<double>(abs(Real(held) - exact));
             ASSERT_LE(error, unit / 2 + in_double * (1 + 1e-9)) << columns << " " << level << " " << row;
             worst = std::max(worst, error / unit);
@@ -56,10 +56,10 @@ TEST(ExtremesViewVectors, ComponentsErrByHalfAUnit) {
 TEST(ExtremesViewVectors, PointsStayApartWhileTheFormatHasFourBitsMoreThanTheGrid) {
   for_every_format([]<class Scalar>() {
     if (!is_floating<Scalar>) return;
-    const int grid_bits = std::min(significand_bits<Scalar> - 4, 21);
+    const int grid_bits = std::min(significand_bits<Scalar>() - 4, 21);
     for (int level = 0; level <= std::min(grid_bits - 1, 5); level += 5) {
       const Screen screen = screen_of(1 << (grid_bits - level));
-      const ViewVectors view_vectors(screen, 1 << level, FormatOf<Scalar>::value);
+      const ViewVectors view_vectors(screen, 1 << level, format_of<Scalar>());
       glm::dvec3 last = view_vectors({0, 0});
       for (std::uint32_t k = 1; k <= static_cast<std::uint32_t>(screen.rows) << level; ++k) {
         const glm::dvec3 next = view_vectors({k, k});
@@ -74,7 +74,7 @@ TEST(ExtremesViewVectors, PointsStayApartWhileTheFormatHasFourBitsMoreThanTheGri
 /// The case of the table: 16384 columns at MAX_LEVEL 5 in single precision.
 TEST(ExtremesViewVectors, LargeScreenInSinglePrecision) {
   const Screen screen = screen_of(16384);
-  const ViewVectors view_vectors(screen, 32, FormatOf<float>::value);
+  const ViewVectors view_vectors(screen, 32, NumberFormat::single());
   double last = view_vectors({0, 0}).z;
   for (std::uint32_t k = 1; k <= 16384 * 32; ++k) {
     const double next = view_vectors({0, k}).z;

@@ -72,13 +72,12 @@ std::vector<Neighbors> neighbors_across_outline(Oracle& oracle, std::size_t most
 
 /// View vectors `a` and `b` of the format see different objects. Moves them towards each other along `axis` until they
 /// are neighbours that do.
-void narrow_down(const Intersector& intersector, RoundToFormat round, int axis, glm::dvec3& a, glm::dvec3& b) {
+void narrow_down(const Intersector& intersector, const RoundToFormat& round, int axis, glm::dvec3& a, glm::dvec3& b) {
   Work work;
   const std::uint32_t object = intersector.intersect(a, work).seen.object;
   for (;;) {
     glm::dvec3 middle = a;
-    middle[axis] += (b[axis] - a[axis]) / 2;
-    if (round != nullptr) middle[axis] = round(middle[axis]);
+    middle[axis] = round(middle[axis] + (b[axis] - a[axis]) / 2);
     if (middle[axis] == a[axis] || middle[axis] == b[axis]) return;
     (intersector.intersect(middle, work).seen.object == object ? a : b) = middle;
   }
@@ -129,7 +128,7 @@ Differences differences_by_outline(const Intersector& intersector, const NumberF
     glm::dvec3 b = view_vectors(second);
     if (intersector.intersect(a, work).seen.object == intersector.intersect(b, work).seen.object) continue;
     const int axis = first.row == second.row ? 2 : 1;
-    narrow_down(intersector, rounding_to(format), axis, a, b);
+    narrow_down(intersector, RoundToFormat(format), axis, a, b);
     move_to_boundary(axis, a, b);
     for (const glm::dvec3& v : {a, b}) {
       const Ray ray(v.y, v.z);

@@ -92,10 +92,10 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Silhouettes,
 template <class Scalar>
 class TextbookSpheres final : public Intersector {
  public:
-  explicit TextbookSpheres(const Scene& scene)
-      : scene_(rounded<Scalar>(prepare_scene(scene, FormatOf<Scalar>::value))) {}
+  explicit TextbookSpheres(const Scene& scene) : scene_(rounded<Scalar>(prepare_scene(scene, format_of<Scalar>()))) {}
 
   Sample intersect(const glm::dvec3& view_vector, Work&) const override {
+    const FormatScope<Scalar> scope(scene_.numbers);
     const auto d = to_scalar<Scalar>(view_vector);
     Scalar nearest = std::numeric_limits<Scalar>::infinity();
     Sample sample;
@@ -120,8 +120,10 @@ class TextbookSpheres final : public Intersector {
 TEST(SilhouettesOfTextbookSpheres, AreNotExplained) {
   const Scene scene = load({"spheres", 64, 48});
   Oracle oracle(scene, max_level);
-  const TextbookSpheres<Flt<8, 16>> intersector(scene);
-  EXPECT_GT(differences_in_frame(intersector, FormatOf<Flt<8, 16>>::value, oracle).rays.unexplained, 10);
+  const NumberFormat format = NumberFormat::floating(8, 16);
+  const FormatScope<Flt> scope(format);
+  const TextbookSpheres<Flt> intersector(scene);
+  EXPECT_GT(differences_in_frame(intersector, format, oracle).rays.unexplained, 10);
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ class Alone {
 
 /// Rays on which both are hit.
 int expect_first_seen(const Pair& pair, Scene scene, const NumberFormat& format, Random& random) {
-  const RoundToFormat round = rounding_to(format);
+  const RoundToFormat round(format);
   const Alone first(scene, pair.first, format);
   const Alone second(scene, pair.second, format);
   scene.objects = {object(pair.first), object(pair.second)};
@@ -104,7 +104,7 @@ int expect_first_seen(const Pair& pair, Scene scene, const NumberFormat& format,
   int both = 0;
   for (int k = 0; k < 150; ++k) {
     glm::dvec3 v(1, random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5));
-    if (round != nullptr) v = {1, round(v.y), round(v.z)};
+    v = {1, round(v.y), round(v.z)};
     if (!first.hit(v) || !second.hit(v)) continue;
     ++both;
     Work work;
@@ -165,7 +165,7 @@ class Stack {
 TEST(CoincidentSurfaces, OfAChainTheFirstThatIsNotBehindIsSeen) {
   for (const NumberFormat& format : number_formats()) {
     Random random(9);
-    const RoundToFormat round = rounding_to(format);
+    const RoundToFormat round(format);
     int not_the_nearest = 0;
     int not_the_first = 0;
     for (int k = 0; k < 150; ++k) {
@@ -175,7 +175,7 @@ TEST(CoincidentSurfaces, OfAChainTheFirstThatIsNotBehindIsSeen) {
       const auto exhaustive = make_intersector(stack.scene(), format, Search::exhaustive);
       for (int ray = 0; ray < 4; ++ray) {
         glm::dvec3 v(1, random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05));
-        if (round != nullptr) v = {1, round(v.y), round(v.z)};
+        v = {1, round(v.y), round(v.z)};
         const auto hits = every_hit->of(v);
         const std::uint32_t expected = object_seen(hits);
         Work work;
@@ -223,7 +223,7 @@ bool put_before(Scene& scene, const NumberFormat& format, const glm::dvec3& v) {
 TEST(CoincidentSurfaces, WhatIsNearerByMoreThanTheErrorsIsSeenThoughItComesLast) {
   for (const NumberFormat& format : number_formats()) {
     Random random(21);
-    const RoundToFormat round = rounding_to(format);
+    const RoundToFormat round(format);
     int apart = 0;
     for (int k = 0; k < 200; ++k) {
       Scene scene = empty_scene(1, 1, 1);
@@ -231,7 +231,7 @@ TEST(CoincidentSurfaces, WhatIsNearerByMoreThanTheErrorsIsSeenThoughItComesLast)
       const auto pair = pairs(random, scene.camera)[random.below(9)];
       scene.objects = {object(pair.second)};
       glm::dvec3 v(1, random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
-      if (round != nullptr) v = {1, round(v.y), round(v.z)};
+      v = {1, round(v.y), round(v.z)};
       if (!put_before(scene, format, v)) continue;
       ++apart;
       Work work;

@@ -136,7 +136,7 @@ template <class Make>
 void expect_ranges(const char* what, const Make& make) {
   for (const NumberFormat& format : number_formats()) {
     SCOPED_TRACE(format.name());
-    const RoundToFormat round = rounding_to(format);
+    const RoundToFormat round(format);
     Random random(77);
     Tightness tightness;
     for (int k = 0; k < 1500; ++k) {
@@ -144,7 +144,7 @@ void expect_ranges(const char* what, const Make& make) {
       const auto [scene, target] = make(random, reach);
       if (!(target.x > 0.05 * std::sqrt(dot(target, target)))) continue;
       glm::dvec3 v(1, target.y / target.x, target.z / target.x);
-      if (round != nullptr) v = {1, round(v.y), round(v.z)};
+      v = {1, round(v.y), round(v.z)};
       const auto tester = make_every_hit(scene, format);
       const auto hits = tester->of(v);
       const auto exact = exact_distance(scene.objects[0].surface, WorldRay(scene.camera, v));

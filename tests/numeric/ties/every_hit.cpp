@@ -12,9 +12,10 @@ template <class Scalar>
 class EveryHitIn final : public EveryHit {
  public:
   explicit EveryHitIn(const Scene& scene)
-      : prepared_(prepare_scene(scene, FormatOf<Scalar>::value)), scene_(rounded<Scalar>(prepared_)) {}
+      : prepared_(prepare_scene(scene, format_of<Scalar>())), scene_(rounded<Scalar>(prepared_)) {}
 
   std::vector<KnownHit> of(const glm::dvec3& view_vector) const override {
+    const FormatScope<Scalar> scope(scene_.numbers);
     std::vector<KnownHit> hits;
     const auto direction = to_scalar<Scalar>(view_vector);
     const ViewRay<Scalar> ray(direction);
