@@ -34,7 +34,49 @@ struct RandomContents {
   int planes = 0;
   int discs = 0;
   int boxes = 0;
+  int quadrics = 0;  ///< each kind of them in turn
 };
+
+/// A paraboloid, a hyperboloid of one sheet or two, or an ellipsoid about `middle`, within a box of half its size.
+inline Quadric random_general_quadric(std::mt19937_64& random, const glm::dvec3& middle, const glm::dvec3& size) {
+  const glm::dvec3 turned = random_vector(random, glm::dvec3(-0.5), glm::dvec3(0.5));
+  const bool paraboloid = random() % 3 == 0;
+  const double last = paraboloid ? 0 : random() % 2 == 0 ? 1 : -1;
+  Quadric::Coefficients q{1, 1, last, turned.x, 0, 0, 0, 0, paraboloid ? 1.0 : 0.0, random() % 2 == 0 ? -0.1 : 0.1};
+  q.constant +=
+      middle.x * (middle.x + q.xy * middle.y) + middle.y * middle.y + last * middle.z * middle.z - q.z * middle.z;
+  q.x = -2 * middle.x - q.xy * middle.y;
+  q.y = -2 * middle.y - q.xy * middle.x;
+  q.z -= 2 * last * middle.z;
+  Quadric quadric{q, {}, size.y > 0.6};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double outward : {-1.0, 1.0}) {
+      glm::dvec3 normal(0);
+      normal[axis] = outward;
+      quadric.clip.push_back({normal, outward * middle[axis] + size[axis]});
+    }
+  }
+  if (size.x > 0.6) quadric.clip.push_back({turned, turned.x * middle.x + turned.y * middle.y + turned.z * middle.z});
+  return quadric;
+}
+
+/// A quadric of any kind about `middle`; `which` is the kind.
+inline SceneSurface random_quadric(std::mt19937_64& random, const glm::dvec3& middle, int which) {
+  const glm::dvec3 size = random_vector(random, glm::dvec3(0.05), glm::dvec3(1.2));
+  const AxisSegment axis{middle, middle + random_vector(random, glm::dvec3(-1), glm::dvec3(1))};
+  switch (which % 5) {
+    case 0:
+      return Ellipsoid{middle, size};
+    case 1:
+      return Cylinder{axis, size.x / 2, size.y > 0.6};
+    case 2:
+      return Cone{axis, size.x, 0, size.y > 0.6};
+    case 3:
+      return Cone{axis, size.x / 2, size.z, size.y > 0.6};
+    default:
+      return random_general_quadric(random, middle, size);
+  }
+}
 
 /// Surfaces of mixed sizes scattered in front of the observer, in a random order, lit.
 inline Scene random_scene(std::uint64_t seed, const RandomContents& contents, int columns, int rows) {
@@ -69,6 +111,8 @@ inline Scene random_scene(std::uint64_t seed, const RandomContents& contents, in
     const glm::dvec3 size = random_vector(random, glm::dvec3(0.05), glm::dvec3(1.2));
     scene.objects.push_back(object(Box{corner, corner + size}, color()));
   }
+  for (int k = 0; k < contents.quadrics; ++k)
+    scene.objects.push_back(object(random_quadric(random, place(), k), color()));
   for (std::size_t k = scene.objects.size(); k > 1; --k) std::swap(scene.objects[k - 1], scene.objects[random() % k]);
   return scene;
 }

@@ -20,6 +20,16 @@ namespace pyrasim {
 /// a box never begins deeper than the range in which an exact hit may lie (distance_range.h).
 inline constexpr double margin_roundings = 8;
 
+/// A quadric's kernel errs in the quadric's frame, where lengths along one axis may be shorter than along another: by
+/// 7/2 roundings of the direction times the distance, 1/2 of the origin and 1 of their moment. So far it moves the
+/// surface in its frame, in the world as many times as far as the frame is uneven, and twice that is more than 8
+/// times 2.
+///
+/// That is for rays across. One nearly along a generator comes near the surface slowly: in the frame's measure it runs
+/// by |m| while it runs by 1, |m| much less than 1, and where it passes nearest is known to e / |m| only, where e is as
+/// much as above. But within the length f that it has until it leaves the surface's bounds it comes no nearer than by
+/// |m| f. So a ray that counts as hit is off by no more than the less of the two, which is at most the root of e f.
+
 /// How far from a surface a ray may run that the datapath counts as a hit.
 class Margin {
  public:
@@ -35,6 +45,18 @@ class Margin {
     absolute_ += square_root_margin * std::sqrt(resolution);
   }
 
+  template <class Surface>
+  double of(const Surface& surface) const {
+    const double size = reach(surface);
+    if constexpr (requires { unevenness(surface); }) {
+      return 2 * unevenness(surface) * of(size) + (has_generators(surface) ? along_generators(size) : 0);
+    }
+    return of(size);
+  }
+  /// e is 7 roundings of the root of 3 of the largest coordinate at most, f twice that.
+  double along_generators(double largest_coordinate) const {
+    return 2 * std::sqrt(of(largest_coordinate) * largest_coordinate);
+  }
   double of(double largest_coordinate) const {
     return relative_ * largest_coordinate + absolute_ + rounding_.written(largest_coordinate);
   }

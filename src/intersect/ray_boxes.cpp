@@ -37,7 +37,8 @@ BoundingBox RayBoxes::add(const PreparedScene<double>& scene, std::int32_t refer
         const auto& surface = std::get<kind>(scene.kinds).surfaces[k];
         const auto box = bounds(surface);
         if (!box) continue;  // it stands apart, and no box is asked for it
-        const double margin = 2 * margin_.of(reach(surface));
+        const double margin = 2 * margin_.of(surface);
+        if constexpr (requires { has_generators(surface); }) generators_ = generators_ || has_generators(surface);
         all.include(BoundingBox{box->lower - margin, box->upper + margin});
       }
     });
@@ -50,7 +51,8 @@ BoundingBox RayBoxes::add(const PreparedScene<double>& scene, std::int32_t refer
 /// between them or never.
 unsigned RayBoxes::met(std::size_t node, const GeneralRay& ray) const {
   constexpr double granted = 1 + 8 * 0x1p-53;
-  const double margin = 2 * margin_.of(largest(ray.origin));
+  const double away = largest(ray.origin);
+  const double margin = 2 * margin_.of(away) + (generators_ ? margin_.along_generators(away) : 0);
   unsigned met = 0;
   for (std::size_t k = 0; k < node_width; ++k) {
     const auto& [lower, upper] = nodes_[node][k];

@@ -33,6 +33,7 @@ class RayBoxes {
   BoundingBox add(const PreparedScene<double>& scene, std::int32_t reference);
 
   Margin margin_;
+  bool generators_ = false;                                 ///< a surface has some
   std::vector<std::array<BoundingBox, node_width>> nodes_;  ///< empty for children that there are not
 };
 

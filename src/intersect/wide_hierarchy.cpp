@@ -59,7 +59,7 @@ class Widening {
     const auto& surfaces = std::get<kind>(source_).surfaces;
     std::uint32_t apart = 0;
     for (std::uint32_t k = 0; k < surfaces.size(); ++k) {
-      if (const auto bounds = slope_bounds(surfaces[k], margin.of(reach(surfaces[k])))) {
+      if (const auto bounds = slope_bounds(surfaces[k], margin.of(surfaces[k]))) {
         bounded_.push_back({kind_at<kind>, k});
         bounds_.push_back(*bounds);
         if constexpr (!requires { surfaces[k].error; }) {

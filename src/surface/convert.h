@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "numeric/scalar.h"
 
@@ -25,9 +26,10 @@ struct ToFormat {
   }
   template <class From, std::size_t count>
   auto operator()(const std::array<From, count>& values, int power) const {
-    std::array<decltype((*this)(values[0], power)), count> result{};
-    for (std::size_t k = 0; k < count; ++k) result[k] = (*this)(values[k], power);
-    return result;
+    return [&]<std::size_t... k>(std::index_sequence<k...>) {
+      return std::array<decltype((*this)(values[0], power)), count>{(*this)(values[k], power)...};
+    }
+    (std::make_index_sequence<count>());
   }
 };
 

@@ -12,21 +12,28 @@
 #include <vector>
 
 #include "surface/box.h"
+#include "surface/cone.h"
+#include "surface/cylinder.h"
 #include "surface/disc.h"
+#include "surface/ellipsoid.h"
 #include "surface/mesh.h"
 #include "surface/plane.h"
+#include "surface/polygon.h"
+#include "surface/quadric.h"
 #include "surface/sphere.h"
 #include "surface/triangle.h"
 
 namespace pyrasim {
 
 /// What an object of a scene file may be.
-using SceneSurface = std::variant<Sphere, Plane, Triangle, Mesh, Disc, Box>;
+using SceneSurface =
+    std::variant<Sphere, Plane, Triangle, Mesh, Disc, Box, Ellipsoid, Cylinder, Cone, Quadric, Polygon>;
 
 /// What a ray may meet; the order is that of counts, of costs, and within a leaf of the hierarchy.
 template <class Scalar>
 using SurfaceTypes = std::tuple<SphereSurface<Scalar>, PlaneSurface<Scalar>, TriangleSurface<Scalar>,
-                                DiscSurface<Scalar>, BoxSurface<Scalar>>;
+                                DiscSurface<Scalar>, BoxSurface<Scalar>, EllipsoidSurface<Scalar>,
+                                CylinderSurface<Scalar>, ConeSurface<Scalar>, QuadricSurface<Scalar>>;
 
 inline constexpr std::size_t surface_kinds = std::tuple_size_v<SurfaceTypes<double>>;
 

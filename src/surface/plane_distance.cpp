@@ -23,7 +23,8 @@ double approach_error(const BoundingPlane& plane, const Vector<double>& directio
   const double a = rounding.absolute;
   const auto n = magnitudes(plane.normal);
   const auto d = magnitudes(direction);
-  return second_order(rounding) * (u * (1 + 5 * u) * dot(n, d) + (a + 0x1p-53 * 22 * largest(n)) * sum(d) + 3 * a) +
+  return second_order(rounding) *
+             (u * (1 + 5 * u) * dot(n, d) + (a + 0x1p-53 * 22 * largest(n) + plane.tilt) * sum(d) + 3 * a) +
          u * std::abs(dot(plane.normal, direction));
 }
 

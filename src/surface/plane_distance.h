@@ -26,7 +26,8 @@ Scalar plane_distance(const Vector<Scalar>& normal, Scalar offset, const Vector<
 struct BoundingPlane {
   Vector<double> normal;
   double offset;
-  double written;  ///< by how much the offset may lie from what the scene says, before it is rounded to the format
+  double written;   ///< by how much the offset may lie from what the scene says, before it is rounded to the format
+  double tilt = 0;  ///< likewise a component of the normal
 };
 
 /// In which range the exact |t| lies. `highest` is infinite where n . d may be 0.

@@ -85,7 +85,7 @@ class Schemas(tool.EndToEnd):
                 yield path, node
 
         found = list(settings(document, []))
-        self.assertEqual(len(found), 38)
+        self.assertEqual(len(found), 42)
         for path, node in found:
             def file_with(value, path=path):
                 nested = value

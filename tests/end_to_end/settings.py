@@ -13,7 +13,12 @@ SCENE = tool.scene(
      {"type": "plane", "normal": [0, 1, 0], "offset": -2, "color": [0.5, 0.5, 0.5]},
      {"type": "triangle", "vertices": [[8, 0, -3], [8, 3, -1], [11, -1, 3]], "color": [0, 0, 1]},
      {"type": "disc", "center": [11, 2, 3], "normal": [-1, 1, 0], "radius": 1, "color": [0, 1, 1]},
-     {"type": "box", "min": [9, 1, 2], "max": [10, 2, 3], "color": [1, 0, 1]}],
+     {"type": "box", "min": [9, 1, 2], "max": [10, 2, 3], "color": [1, 0, 1]},
+     {"type": "ellipsoid", "center": [9, -2, -3], "radii": [1, 0.5, 2], "color": [1, 1, 0]},
+     {"type": "cylinder", "base": [12, -2, 2], "cap": [12, 2, 2], "radius": 0.5, "color": [1, 1, 0.5]},
+     {"type": "cone", "base": [12, -2, -2], "cap": [12, 2, -2], "base_radius": 1, "cap_radius": 0, "color": [0, 1, 0]},
+     {"type": "quadric", "coefficients": {"yy": 1, "zz": 1, "x": -1, "constant": 9}, "clip": {"max": [10, 9, 9]},
+      "color": [0.5, 1, 0.5]}],
     columns=24, rows=18)
 
 # What a setting needs beside it to matter.

@@ -191,7 +191,8 @@ Case random_case(std::mt19937_64& random) {
   const auto columns = static_cast<int>(1 + random() % 12);
   const auto rows = static_cast<int>(1 + random() % 8);
   const int objects = random() % 8 == 0 ? 0 : 10;
-  result.scene = random_scene(random(), {objects, objects, random() % 4 == 0 ? 1 : 0}, columns, rows);
+  result.scene = random_scene(random(), {objects, objects, random() % 4 == 0 ? 1 : 0, 0, 0, random() % 3 == 0 ? 4 : 0},
+                              columns, rows);
   result.options.max_level = static_cast<int>(random() % 6);
   if (random() % 4 == 0) result.options.formats.intersection = NumberFormat::single();
   if (random() % 4 == 0) result.options.formats.view_vectors = tf32;

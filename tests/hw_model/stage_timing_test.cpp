@@ -58,7 +58,7 @@ TEST(FrameLatency, OfOnePixelByHand) {
 TEST(IntersectionUnit, OccupancyIsTheCostOfItsWork) {
   Scene plane = empty_scene(6, 5, 0.125);
   plane.objects = {object(Plane{{1, 0, 0}, 3})};
-  const Scene mixed = random_scene(5, {20, 20, 2, 6, 6}, 16, 12);
+  const Scene mixed = random_scene(5, {20, 20, 2, 6, 6, 8}, 16, 12);
   MachineSpec spec;
   spec.intersection_units = 1;
   spec.intersection_cost = {5, 3, {7, 11, 13}};

@@ -121,14 +121,15 @@ TYPED_TEST(WorkOf, ARayIsThatOfAPlainWalk) {
   Work all;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const int size = static_cast<int>(seed * seed);
-    const Scene scene = random_scene(seed, {size, 2 * size, seed % 3 == 0 ? 2 : 0, size, size}, 64, 64);
+    const int quadrics = seed > 6 ? 3 * size : 0;
+    const Scene scene = random_scene(seed, {size, 2 * size, seed % 3 == 0 ? 2 : 0, size, size, quadrics}, 64, 64);
     const SceneIntersector<TypeParam> intersector(scene);
     std::mt19937_64 random(seed);
     for (int k = 0; k < 500; ++k, ++rays) {
       const auto direction = to_scalar<TypeParam>(random_vector(random, {1, -0.7, -0.7}, {1, 0.7, 0.7}));
       const PlainWalk<TypeParam> plain(intersector.scene(), direction);
-      close += plain.close() ? 1 : 0;
-      if (plain.close()) continue;  // such a ray starts again, and finds out more
+      close += plain.close() && quadrics == 0 ? 1 : 0;  // an open shell may err by the way to its other side
+      if (plain.close()) continue;                      // such a ray starts again, and finds out more
       Work work;
       intersector.intersect(direction, work);
       ASSERT_EQ(work.box_tests, plain.work().box_tests) << seed << ": " << direction.y << " " << direction.z;
@@ -138,12 +139,12 @@ TYPED_TEST(WorkOf, ARayIsThatOfAPlainWalk) {
   }
   EXPECT_LT(close, rays / 20);
   EXPECT_GT(all.box_tests, static_cast<std::uint64_t>(rays));
-  for (const std::uint64_t tests : all.surface_tests) EXPECT_GT(tests, static_cast<std::uint64_t>(rays) / 4);
+  for (const std::uint64_t tests : all.surface_tests) EXPECT_GT(tests, static_cast<std::uint64_t>(rays) / 16);
 }
 
 /// What a hit in a leaf errs by at most decides how much is looked at behind it.
 TYPED_TEST(WorkOf, ALeafErrsByTheMostOfItsSurfaces) {
-  const Scene scene = random_scene(6, {60, 60, 0, 30, 30}, 64, 64);
+  const Scene scene = random_scene(6, {60, 60, 0, 30, 30, 30}, 64, 64);
   const PreparedScene<double> prepared = prepare_scene(scene, format_of<TypeParam>());
   int of_several = 0;
   for (std::size_t k = 0; k < prepared.runs.size(); ++k) {
@@ -209,8 +210,8 @@ TYPED_TEST(WorkOf, CloseHitsArePaidForOnce) {
 
 /// Boxes bound slopes: a ray that does not run forward tests everything, and no box.
 TYPED_TEST(WorkOf, RaysThatRunBackwardTestEverySurface) {
-  const Scene scene = random_scene(4, {30, 40, 2, 7, 9}, 8, 8);
-  for (const TypeParam x : {-1, 0}) EXPECT_EQ(this->of(scene, {x, 1, 1}), (Work{0, {30, 2, 40, 7, 9}}));
+  const Scene scene = random_scene(4, {30, 40, 2, 7, 9, 12}, 8, 8);
+  for (const TypeParam x : {-1, 0}) EXPECT_EQ(this->of(scene, {x, 1, 1}), (Work{0, {30, 2, 40, 7, 9, 3, 3, 4, 2}}));
 }
 
 }  // namespace

@@ -126,6 +126,64 @@ class NaiveRenderer {
     const double last = std::min({leave.x, leave.y, leave.z});
     return first <= last ? (first > 0 ? first : last) : 0;
   }
+  static double distance(const Ellipsoid& ellipsoid, const glm::dvec3& v) {
+    return distance(Sphere{ellipsoid.center / ellipsoid.radii, 1}, v / ellipsoid.radii);
+  }
+  static double distance(const Cylinder& cylinder, const glm::dvec3& v) {
+    return distance(Cone{cylinder.axis, cylinder.radius, cylinder.radius, cylinder.capped}, v);
+  }
+  /// All places of the skin and of the ends, and the nearest that is there.
+  static double distance(const Cone& cone, const glm::dvec3& v) {
+    const double length = glm::distance(cone.axis.base, cone.axis.cap);
+    const glm::dvec3 unit = (cone.axis.cap - cone.axis.base) / length;
+    const double slope = (cone.cap_radius - cone.base_radius) / length;
+    const double oz = -glm::dot(unit, cone.axis.base);
+    const double dz = glm::dot(unit, v);
+    const glm::dvec3 across = -cone.axis.base - unit * oz;
+    const glm::dvec3 moving = v - unit * dz;
+    const double w = cone.base_radius + slope * oz;
+    const double a = glm::dot(moving, moving) - slope * dz * slope * dz;
+    const double b = glm::dot(across, moving) - w * slope * dz;
+    const double c = glm::dot(across, across) - w * w;
+    const double root = std::sqrt(b * b - a * c);  // NaN where the ray misses, and no comparison holds
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const double t : {(-b - root) / a, (-b + root) / a}) {
+      const double height = oz + t * dz;
+      if (t > 0 && height >= 0 && height <= length) nearest = std::min(nearest, t);
+    }
+    for (const auto& [height, radius] : {std::pair(0.0, cone.base_radius), {length, cone.cap_radius}}) {
+      const double t = (height - oz) / dz;
+      if (cone.capped && t > 0 && glm::length(across + moving * t) <= radius) nearest = std::min(nearest, t);
+    }
+    return nearest < std::numeric_limits<double>::infinity() ? nearest : 0;
+  }
+  static double distance(const Quadric& quadric, const glm::dvec3& v) {
+    const auto& of = quadric.coefficients;
+    const double a = of.xx * v.x * v.x + of.yy * v.y * v.y + of.zz * v.z * v.z + of.xy * v.x * v.y + of.xz * v.x * v.z +
+                     of.yz * v.y * v.z;
+    const double b = (of.x * v.x + of.y * v.y + of.z * v.z) / 2;
+    const double root = std::sqrt(b * b - a * of.constant);
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto offer = [&](double t, const HalfSpace<double>* but) {
+      const auto holds = [&](const auto& other) {
+        return &other == but || t * glm::dot(other.normal, v) <= other.offset;
+      };
+      if (t > 0 && std::all_of(quadric.clip.begin(), quadric.clip.end(), holds)) nearest = std::min(nearest, t);
+    };
+    for (const double t : {(-b - root) / a, (-b + root) / a}) offer(t, nullptr);
+    for (const HalfSpace<double>& plane : quadric.clip) {
+      const double t = plane.offset / glm::dot(plane.normal, v);
+      if (quadric.capped && (a * t + 2 * b) * t + of.constant <= 0) offer(t, &plane);
+    }
+    return nearest < std::numeric_limits<double>::infinity() ? nearest : 0;
+  }
+  static double distance(const Polygon& polygon, const glm::dvec3& v) {
+    for (std::size_t k = 2; k < polygon.vertices.size(); ++k) {
+      const double t = distance(Triangle{{polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]}}, v);
+      if (t > 0) return t;
+    }
+    return 0;
+  }
   static double distance(const Mesh&, const glm::dvec3&) { return 0; }
 
   const Scene& scene_;

@@ -112,7 +112,8 @@ TEST_F(LoadSceneError, WrongTypes) {
             ": /objects/0/center: it has 2 elements; an array of 3 numbers is allowed");
   EXPECT_EQ(error_with("/objects/0/type", "\"cube\""),
             ": /objects/0/type: \"cube\" is unknown; one of \"sphere\", \"plane\", \"triangle\", \"mesh\", \"disc\", "
-            "\"box\" is allowed");
+            "\"box\", \"ellipsoid\", \"cylinder\", \"cone\", \"quadric\", "
+            "\"polygon\" is allowed");
   EXPECT_EQ(error_with("/objects/2/vertices", "[[0, 0, 0], [1, 1, 1]]"),
             ": /objects/2/vertices: it has 2 elements; an array of 3 elements is allowed");
   EXPECT_EQ(error_with("/light", "null"), ": /light: it is null; an object is allowed");
@@ -130,6 +131,58 @@ TEST_F(LoadSceneError, DiscsWithoutNormalOrRadius) {
   const std::string disc = R"({"type": "disc", "center": [0, 0, 0], "color": [1, 1, 1], )";
   EXPECT_EQ(error_with("/objects/0", disc + R"("normal": [0, 0, 0], "radius": 1})").find(": /objects/0/normal: "), 0U);
   EXPECT_EQ(error_with("/objects/0", disc + R"("normal": [0, 0, 1], "radius": 0})").find(": /objects/0/radius: "), 0U);
+}
+
+TEST_F(LoadSceneError, EllipsoidsWithoutRadii) {
+  EXPECT_EQ(
+      error_with("/objects/0", R"({"type": "ellipsoid", "center": [0, 0, 0], "color": [1, 1, 1], "radii": [1, 0, 1]})"),
+      ": /objects/0/radii/1: 0 is out of range; a number from 1e-30 to 1e+30 is allowed");
+}
+
+TEST_F(LoadSceneError, ConesAndCylindersWithoutExtent) {
+  const std::string cylinder = R"({"type": "cylinder", "base": [1, 0, 0], "cap": [1, 0, 0], "color": [1, 1, 1], )";
+  EXPECT_EQ(error_with("/objects/0", cylinder + R"("radius": 1})"),
+            ": /objects/0/cap: it is where base is; a point at least 1e-30 away is needed");
+  const std::string cone = R"({"type": "cone", "base": [1, 0, 0], "cap": [1, 1, 0], "color": [1, 1, 1], )";
+  EXPECT_EQ(error_with("/objects/0", cone + R"("base_radius": 0, "cap_radius": 0})"),
+            ": /objects/0/cap_radius: it is 0, and so is base_radius; one of the two may be 0");
+  EXPECT_EQ(error_with("/objects/0", cone + R"("base_radius": 1e-40, "cap_radius": 1})"),
+            ": /objects/0/base_radius: 1e-40 is too small; 0 or at least 1e-30 is allowed");
+  EXPECT_EQ(error_with("/objects/0", cone + R"("base_radius": 1, "cap_radius": 1, "capped": 1})"),
+            ": /objects/0/capped: it is the number 1; true or false is allowed");
+}
+
+TEST_F(LoadSceneError, QuadricsWithoutSquaresOrSpace) {
+  const std::string quadric = R"({"type": "quadric", "color": [1, 1, 1], "coefficients": )";
+  EXPECT_EQ(
+      error_with("/objects/0", quadric + R"({"x": 1}})"),
+      ": /objects/0/coefficients: no square is left; one of xx, yy, zz, xy, xz and yz has to be at least 1e-60 in "
+      "magnitude");
+  EXPECT_EQ(error_with("/objects/0", quadric + R"({"xx": 1}, "clip": {"min": [1, 0, 0], "max": [0, 1, 1]}})"),
+            ": /objects/0/clip: nothing is left; the half-spaces have to have a point in common");
+  const std::string plane = R"({"normal": [1, 0, 0], "offset": 1})";
+  EXPECT_EQ(
+      error_with("/objects/0", quadric + R"({"xx": 1}, "clip": {"min": [0, 0, 0], "max": [1, 1, 1], "planes": [)" +
+                                   plane + ", " + plane + ", " + plane + "]}}"),
+      ": /objects/0/clip/planes: it has 3 elements; an array of 0 to 2 elements is allowed");
+  EXPECT_EQ(error_with("/objects/0", quadric + R"({"xx": 1, "zx": 1}})").find(": /objects/0/coefficients/zx: "), 0U);
+}
+
+TEST_F(LoadSceneError, PolygonsThatAreNotFlatAndConvex) {
+  const auto error = [&](const std::string& vertices) {
+    return error_with("/objects/0", R"({"type": "polygon", "color": [1, 1, 1], "vertices": [)" + vertices + "]}");
+  };
+  const std::string at = ": /objects/0/vertices: ";
+  EXPECT_EQ(error("[0, 0, 0], [1, 0, 0]"), at + "it has 2 elements; an array of 3 to 4096 elements is allowed");
+  EXPECT_EQ(error("[0, 0, 0], [1, 0, 0], [2, 0, 0]"),
+            at + "the polygon has no area; vertices that are not on one line, once around, are needed");
+  EXPECT_EQ(error("[0, 0, 0], [2, 0, 0], [2, 2, 0.5], [0, 2, 0]").substr(0, at.size() + 7), at + "vertex ");
+  EXPECT_EQ(error("[0, 0, 0], [2, 0, 0], [0.5, 0.5, 0], [0, 2, 0]"),
+            at + "the polygon is bent inwards at vertex 2; a convex polygon is needed");
+  EXPECT_EQ(error("[0, 0, 0], [2, 0, 0], [2, 0, 0], [0, 2, 0]"),
+            at + "vertex 1 is repeated; vertices have to lie apart");
+  EXPECT_EQ(error("[0, 1, 0], [0.588, -0.809, 0], [-0.951, 0.309, 0], [0.951, 0.309, 0], [-0.588, -0.809, 0]"),
+            at + "the polygon goes around more than once; a convex polygon is needed");
 }
 
 TEST_F(LoadSceneError, NumbersThatAreNotFinite) {

@@ -54,7 +54,14 @@ TEST_F(LoadScene, ReadsEverything) {
                 {"type": "triangle", "vertices": [[0, 0, 0], [0, 1, 0], [0, 0, 1]], "color": [1, 1, 1]},
                 {"type": "mesh", "file": "m.obj", "color": [1, 0, 0]},
                 {"type": "disc", "center": [1, 2, 3], "normal": [0, 3, 0], "radius": 2.5, "color": [1, 0, 0]},
-                {"type": "box", "min": [-1, 0, 1], "max": [0, 2, 1.5], "color": [1, 0, 0]}]})");
+                {"type": "box", "min": [-1, 0, 1], "max": [0, 2, 1.5], "color": [1, 0, 0]},
+                {"type": "ellipsoid", "center": [1, 2, 3], "radii": [1, 0.5, 2], "color": [1, 0, 0]},
+                {"type": "cylinder", "base": [1, 2, 3], "cap": [3, 2, 1], "radius": 0.5, "color": [1, 0, 0]},
+                {"type": "cone", "base": [1, 2, 3], "cap": [3, 2, 1], "base_radius": 0.5, "cap_radius": 0,
+                 "capped": false, "color": [1, 0, 0]},
+                {"type": "quadric", "coefficients": {"xx": 1, "yz": -2, "z": 3, "constant": -1}, "capped": true,
+                 "clip": {"min": [-1, -2, -3], "planes": [{"normal": [0, 2, 0], "offset": 4}]}, "color": [1, 0, 0]},
+                {"type": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "color": [1, 0, 0]}]})");
   EXPECT_EQ(scene.camera.position, glm::dvec3(1, 2, 3));
   EXPECT_EQ(scene.camera.look_at, glm::dvec3(4, 5, 6));
   EXPECT_EQ(scene.camera.up, glm::dvec3(0, 0, 2));
@@ -62,7 +69,7 @@ TEST_F(LoadScene, ReadsEverything) {
   ASSERT_TRUE(scene.light);
   EXPECT_EQ(scene.light->ambient, 0.25);
   EXPECT_EQ(scene.light->direction, glm::dvec3(1, -1, 0.5));
-  ASSERT_EQ(scene.objects.size(), 6U);
+  ASSERT_EQ(scene.objects.size(), 11U);
   EXPECT_EQ(scene.objects[0].name, "ball");
   EXPECT_EQ(scene.objects[0].color, glm::dvec3(0.9, 0.5, 0.2));
   EXPECT_EQ(std::get<Sphere>(scene.objects[0].surface).center, glm::dvec3(5, 0, 0));
@@ -77,6 +84,31 @@ TEST_F(LoadScene, ReadsEverything) {
   EXPECT_EQ(std::get<Disc>(scene.objects[4].surface).radius, 2.5);
   EXPECT_EQ(std::get<Box>(scene.objects[5].surface).min, glm::dvec3(-1, 0, 1));
   EXPECT_EQ(std::get<Box>(scene.objects[5].surface).max, glm::dvec3(0, 2, 1.5));
+  EXPECT_EQ(std::get<Ellipsoid>(scene.objects[6].surface).center, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(std::get<Ellipsoid>(scene.objects[6].surface).radii, glm::dvec3(1, 0.5, 2));
+  const auto& cylinder = std::get<Cylinder>(scene.objects[7].surface);
+  EXPECT_EQ(cylinder.axis.base, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(cylinder.axis.cap, glm::dvec3(3, 2, 1));
+  EXPECT_EQ(cylinder.radius, 0.5);
+  EXPECT_TRUE(cylinder.capped);
+  const auto& cone = std::get<Cone>(scene.objects[8].surface);
+  EXPECT_EQ(cone.axis.cap, glm::dvec3(3, 2, 1));
+  EXPECT_EQ(cone.base_radius, 0.5);
+  EXPECT_EQ(cone.cap_radius, 0);
+  EXPECT_FALSE(cone.capped);
+  const auto& quadric = std::get<Quadric>(scene.objects[9].surface);
+  EXPECT_EQ(quadric.coefficients.xx, 1);
+  EXPECT_EQ(quadric.coefficients.yy, 0);
+  EXPECT_EQ(quadric.coefficients.yz, -2);
+  EXPECT_EQ(quadric.coefficients.z, 3);
+  EXPECT_EQ(quadric.coefficients.constant, -1);
+  EXPECT_TRUE(quadric.capped);
+  ASSERT_EQ(quadric.clip.size(), 4U);
+  EXPECT_EQ(quadric.clip[1].normal, glm::dvec3(0, -1, 0));
+  EXPECT_EQ(quadric.clip[1].offset, 2);
+  EXPECT_EQ(quadric.clip[3].normal, glm::dvec3(0, 2, 0));
+  EXPECT_EQ(quadric.clip[3].offset, 4);
+  EXPECT_EQ(std::get<Polygon>(scene.objects[10].surface).vertices.size(), 4U);
 }
 
 TEST_F(LoadScene, LightHasNoAmbientByDefault) {

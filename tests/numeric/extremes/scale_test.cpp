@@ -27,6 +27,22 @@ Scene scaled(Scene scene, int k) {
       *disc = {times(disc->center, factor), disc->normal, disc->radius * factor};
     } else if (auto* box = std::get_if<Box>(&object.surface)) {
       *box = {times(box->min, factor), times(box->max, factor)};
+    } else if (auto* ellipsoid = std::get_if<Ellipsoid>(&object.surface)) {
+      *ellipsoid = {times(ellipsoid->center, factor), times(ellipsoid->radii, factor)};
+    } else if (auto* cylinder = std::get_if<Cylinder>(&object.surface)) {
+      const auto& [base, cap] = cylinder->axis;
+      *cylinder = {{times(base, factor), times(cap, factor)}, cylinder->radius * factor, cylinder->capped};
+    } else if (auto* cone = std::get_if<Cone>(&object.surface)) {
+      const auto& [base, cap] = cone->axis;
+      *cone = {{times(base, factor), times(cap, factor)},
+               cone->base_radius * factor,
+               cone->cap_radius * factor,
+               cone->capped};
+    } else if (auto* quadric = std::get_if<Quadric>(&object.surface)) {
+      auto& of = quadric->coefficients;
+      for (double* linear : {&of.x, &of.y, &of.z}) *linear *= factor;
+      of.constant = of.constant * factor * factor;
+      for (auto& half_space : quadric->clip) half_space.offset *= factor;
     }
   }
   return scene;
@@ -34,7 +50,7 @@ Scene scaled(Scene scene, int k) {
 
 /// A scene with every kind of surface, seen by a camera that looks askew.
 Scene askew_scene() {
-  Scene scene = random_scene(31, {8, 8, 2, 4, 4}, 24, 18);
+  Scene scene = random_scene(31, {8, 8, 2, 4, 4, 8}, 24, 18);
   scene.camera.position = {-1, 0.3, 0.7};
   scene.camera.look_at = {3, 0.1, 0.2};
   scene.camera.up = {0.1, 1, -0.2};

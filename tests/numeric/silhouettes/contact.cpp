@@ -99,6 +99,93 @@ Meeting<Number> meet(const BoxSurface<double>& box, const Number& y, const Numbe
   return {{leave - enter, leave, 0}, enter, sign(leave - enter) >= 0 && sign(enter) > 0};
 }
 
+/// A ray as QuadricShape meets it.
+template <class Number>
+struct QuadricMeeting {
+  Number a, b, c, discriminant;
+  Number begin{-0x1p100}, end{0x1p100};  ///< what planes leave
+
+  QuadricMeeting(const QuadricView& quadric, const Number& y, const Number& z) : a(0), b(0), c(quadric.form.power) {
+    const auto& form = quadric.form;
+    std::array<Number, 3> m, o;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int axis = static_cast<int>(k);
+      m[k] = Number(form.axes[k].x) + Number(form.axes[k].y) * y + Number(form.axes[k].z) * z;
+      o[k] = Number(form.origin[axis]);
+      a = a + Number(form.signs[axis]) * m[k] * m[k];
+      b = b + Number(form.signs[axis]) * m[k] * o[k];
+    }
+    const Number l(form.linear);
+    b = b + l * m[2];
+    if (sign(a) * sign(c) > 0) {
+      discriminant = -(a * Number(form.constant));
+      for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const Number moment = o[static_cast<std::size_t>(i)] * m[static_cast<std::size_t>(j)] -
+                              o[static_cast<std::size_t>(j)] * m[static_cast<std::size_t>(i)];
+        discriminant = discriminant - Number(form.signs[i] * form.signs[j]) * moment * moment;
+      }
+      const Number across = Number(form.signs[0]) * m[0] * (o[0] * m[2] - o[2] * m[0]) +
+                            Number(form.signs[1]) * m[1] * (o[1] * m[2] - o[2] * m[1]);
+      discriminant = discriminant + l * (l * m[2] * m[2] + Number(2) * across);
+    } else {
+      discriminant = b * b - a * c;
+    }
+    for (const auto& [normal, offset] : quadric.clip) {
+      const Number approach = Number(normal.x) + Number(normal.y) * y + Number(normal.z) * z;
+      if (sign(approach) == 0) {
+        if (offset < 0) end = begin - Number(1);
+        continue;
+      }
+      const Number t = Number(offset) / approach;
+      if (sign(approach) > 0 && sign(t - end) < 0) end = t;
+      if (sign(approach) < 0 && sign(t - begin) > 0) begin = t;
+    }
+  }
+
+  /// The ends of what lies ahead, in order: of the skin each by itself, of a solid those of its stretches.
+  Meeting<Number> hit(bool capped) const {
+    using std::sqrt;
+    const Number nowhere(0x1p100);
+    Meeting<Number> met{{discriminant, a, b}, sign(a) == 0 ? Number(0) : -b / a, false};
+    const auto enter = [&](const Number& first, const Number& last) {
+      if (met.hit || sign(last - first) < 0) return;
+      for (const Number& t : {first, last}) {
+        if (met.hit || sign(t) <= 0 || sign(t - nowhere) >= 0) continue;
+        met.hit = true;
+        met.t = t;
+      }
+    };
+    const auto later = [&](const Number& t) { return sign(t - begin) > 0 ? t : begin; };
+    const auto earlier = [&](const Number& t) { return sign(t - end) < 0 ? t : end; };
+    if (sign(discriminant) < 0 || (sign(a) == 0 && sign(b) == 0)) {
+      if (capped && sign(c) <= 0) enter(begin, end);
+      return met;
+    }
+    const Number root = sign(discriminant) == 0 ? Number(0) : sqrt(discriminant);
+    const Number h = sign(b) < 0 ? root - b : -b - root;
+    Number first = sign(h) == 0 ? Number(0) : c / h;
+    Number last = sign(a) != 0 ? h / a : sign(b) < 0 ? nowhere : -nowhere;
+    if (sign(last - first) < 0) std::swap(first, last);
+    if (!capped) {
+      for (const Number& t : {first, last}) {
+        if (sign(t - begin) >= 0 && sign(t - end) <= 0) enter(t, t);
+      }
+    } else if (sign(a) >= 0) {
+      enter(later(first), earlier(last));
+    } else {
+      enter(begin, earlier(first));
+      enter(later(last), end);
+    }
+    return met;
+  }
+};
+
+template <class Number, HasQuadricShape Surface>
+Meeting<Number> meet(const Surface& surface, const Number& y, const Number& z) {
+  return QuadricMeeting<Number>(QuadricView(surface.shape), y, z).hit(surface.shape.capped);
+}
+
 /// Which triangles may be hit: those whose vertices' bounds, by the rounding of sheared vertices wider, hold the ray.
 /// One that was left out wrongly would be one that cannot explain a difference.
 class Nearby {
@@ -220,6 +307,18 @@ Verdict verdict(const BoxSurface<double>& box, const Ray& ray, const Contact& co
           contact.behind + bound.enter,
           0,
           0};
+}
+
+/// By the ranges of roots and of planes, in the datapath's unit. They are worked out in double, which is one rounding
+/// more.
+template <HasQuadricShape Surface>
+Verdict verdict(const Surface& surface, const Ray& ray, const Contact& contact, const Rounding& rounding) {
+  const double factor = std::ldexp(1.0, rounding.exponent);
+  const Surface scaled = surface.template mapped<double>(Scaling{rounding.exponent});
+  const FirstHitRange first =
+      quadric_bound(QuadricView(scaled.shape), contact.margins[0] * factor * factor, ray, rounding);
+  const auto behind = [&](double t) { return contact.behind + (t / factor - contact.t); };
+  return {first.possible(), first.certain(), {}, behind(first.range().lowest), behind(first.range().highest), 0, 0};
 }
 
 /// The hit errs, and the datapath grants it as much again to either side: the range of twice the rounding.

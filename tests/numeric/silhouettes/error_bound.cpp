@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "surface/quadric_steps.h"
+
 namespace pyrasim::silhouettes {
 namespace {
 
@@ -268,6 +270,67 @@ BoxBound error_bound(const BoxSurface<double>& box, const Ray& ray, const Roundi
     if (!(leave[k].value - leave[k].error > surely_left)) bound.leave = std::max(bound.leave, leave[k].error);
   }
   return bound;
+}
+
+namespace {
+
+/// What a plane leaves of the ray; its t are in the datapath's unit.
+void keep(StretchRanges& kept, const HalfSpace<double>& plane, const Ray& ray, const Rounding& rounding) {
+  const Triple d = direction(ray);
+  const double approach = plane.normal.x * d[0] + plane.normal.y * d[1] + plane.normal.z * d[2];
+  const double error = face_error(plane.normal, plane.offset, ray, rounding);
+  const auto cut = [](DistanceRange& end, double t, double by, auto nearer) {
+    end = {nearer(end.lowest, t - by), nearer(end.highest, t + by)};
+  };
+  const auto least = [](double a, double b) { return std::min(a, b); };
+  const auto most = [](double a, double b) { return std::max(a, b); };
+  if (error < infinity) {
+    const double t = plane.offset / approach;
+    approach > 0 ? cut(kept.end, t, error, least) : cut(kept.begin, t, error, most);
+    return;
+  }
+  // It may be parallel: the plane is passed far away, ahead or behind, if at all.
+  const double away = std::abs(plane.offset) /
+                      (std::abs(approach) + plane_bound(plane.normal, plane.offset, ray, rounding).approach) / 2;
+  if (plane.offset < 0) {
+    kept = {{away, infinity}, {-infinity, infinity}};
+  } else {
+    kept.begin = {kept.begin.lowest, std::max(kept.begin.highest, -away)};
+    kept.end = {std::min(kept.end.lowest, away), kept.end.highest};
+  }
+}
+
+}  // namespace
+
+FirstHitRange quadric_bound(const QuadricView& quadric, double discriminant, const Ray& ray, const Rounding& rounding) {
+  const QuadricForm<double>& form = quadric.form;
+  const RoundingUnits units{rounding.relative + 0x1p-53, rounding.absolute};
+  const double u = units.relative;
+  const double a = units.absolute;
+  const Triple d = direction(ray);
+  const Triple slopes = slope_errors(ray, rounding);
+  QuadricErrors errors{};
+  for (int k = 0; k < 3; ++k) {
+    const auto& axis = form.axes[static_cast<std::size_t>(k)];
+    if (form.origin[k] == 0 && axis == glm::dvec3(0)) continue;
+    errors.direction[k] = 3 * a;
+    for (int j = 0; j < 3; ++j) {
+      const auto of = static_cast<std::size_t>(j);
+      errors.direction[k] += (4 * u * std::abs(axis[j]) + a) * std::abs(d[of]) + std::abs(axis[j]) * slopes[of];
+    }
+    errors.origin[k] = u * std::abs(form.origin[k]) + a;
+  }
+  errors.linear = form.linear == 0 ? 0 : u * std::abs(form.linear) + a;
+  errors.constant = form.constant == 0 ? 0 : u * std::abs(form.constant) + a;
+  errors.power = form.power == 0 ? 0 : u * std::abs(form.power) + a;
+  Rounding in_unit = rounding;
+  in_unit.relative = u;
+  in_unit.exponent = 0;
+  StretchRanges kept;
+  for (const HalfSpace<double>& plane : quadric.clip) keep(kept, plane, ray, in_unit);
+  QuadricSteps steps(form, {d[0], d[1], d[2]}, errors, units);
+  steps.set_discriminant(discriminant);
+  return first_hit_range(steps.roots(kept), kept, quadric.capped);
 }
 
 TriangleBound error_bound(const TriangleSurface<double>& triangle, const std::array<double, 3>& edges, double t,

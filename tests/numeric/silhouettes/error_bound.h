@@ -7,6 +7,8 @@
 
 #include "ray.h"
 #include "rounding.h"
+#include "surface/quadric_bounds.h"
+#include "surface/quadric_range.h"
 #include "surface/surface.h"
 
 namespace pyrasim::silhouettes {
@@ -39,6 +41,10 @@ struct BoxBound {
   double enter, leave;
 };
 BoxBound error_bound(const BoxSurface<double>& box, const Ray& ray, const Rounding& rounding);
+
+/// Of QuadricShape::intersect(): where it may be hit first. The quadric is in the datapath's unit, and `discriminant`,
+/// likewise, is exact.
+FirstHitRange quadric_bound(const QuadricView& quadric, double discriminant, const Ray& ray, const Rounding& rounding);
 
 /// Of TriangleSurface::intersect(): of the three edge functions, whose signs decide, and the range of t, where it
 /// counts as hit.

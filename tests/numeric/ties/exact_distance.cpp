@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exact_distance.h"
 
+#include <vector>
+
 namespace pyrasim {
 namespace {
 
@@ -82,6 +84,113 @@ std::optional<Real> distance(const Box& box, const WorldRay& ray) {
       if (inside && (!nearest || t < *nearest)) nearest = t;
     }
   }
+  return nearest;
+}
+
+/// The roots of a t^2 + 2 b t + c, of which a may be nearly 0.
+std::vector<Real> roots(const Real& a, const Real& b, const Real& c) {
+  const Real discriminant = b * b - a * c;
+  if (discriminant < Real(0)) return {};
+  const Real root = sqrt(discriminant);
+  const Real h = b < Real(0) ? root - b : -(b + root);
+  std::vector<Real> found;
+  if (!(h == Real(0))) found.push_back(c / h);
+  if (!(a == Real(0))) found.push_back(h / a);
+  return found;
+}
+
+std::optional<Real> distance(const Ellipsoid& ellipsoid, const WorldRay& ray) {
+  const RealVector from_center = ray.origin - written(ellipsoid.center);
+  const RealVector r = written(ellipsoid.radii);
+  const RealVector o{from_center.x / r.x, from_center.y / r.y, from_center.z / r.z};
+  const RealVector d{ray.direction.x / r.x, ray.direction.y / r.y, ray.direction.z / r.z};
+  std::optional<Real> nearest;
+  for (const Real& t : roots(dot(d, d), dot(o, d), dot(o, o) - Real(1))) {
+    if (t > Real(0) && (!nearest || t < *nearest)) nearest = t;
+  }
+  return nearest;
+}
+
+/// Of x^2 + y^2 = w^2 about an axis, where w = radius + slope * height above its base: the first of its own hits
+/// between the ends and, of a solid, of those of its ends within their radius.
+std::optional<Real> round_distance(const AxisSegment& axis, const Real& base_radius, const Real& cap_radius,
+                                   bool capped, const WorldRay& ray) {
+  const RealVector along = written(axis.cap) - written(axis.base);
+  const Real length = sqrt(dot(along, along));
+  const RealVector unit = along * (Real(1) / length);
+  const RealVector o = ray.origin - written(axis.base);
+  const Real slope = (cap_radius - base_radius) / length;
+  const Real oz = dot(unit, o), dz = dot(unit, ray.direction);
+  const RealVector across = o - unit * oz, moving = ray.direction - unit * dz;
+  const Real w = base_radius + slope * oz, dw = slope * dz;
+  const Real a = dot(moving, moving) - dw * dw, b = dot(across, moving) - w * dw, c = dot(across, across) - w * w;
+  std::optional<Real> nearest;
+  const auto offer = [&](const Real& t) {
+    if (t > Real(0) && (!nearest || t < *nearest)) nearest = t;
+  };
+  for (const Real& t : roots(a, b, c)) {
+    const Real height = oz + t * dz;
+    if (!(height < Real(0)) && !(height > length)) offer(t);
+  }
+  if (!capped || dz == Real(0)) return nearest;
+  for (const auto& [height, radius] : {std::pair(Real(0), base_radius), std::pair(length, cap_radius)}) {
+    const Real t = (height - oz) / dz;
+    const RealVector place = across + moving * t;
+    if (!(dot(place, place) > radius * radius)) offer(t);
+  }
+  return nearest;
+}
+
+std::optional<Real> distance(const Cylinder& cylinder, const WorldRay& ray) {
+  const Real radius = written(cylinder.radius);
+  return round_distance(cylinder.axis, radius, radius, cylinder.capped, ray);
+}
+
+std::optional<Real> distance(const Cone& cone, const WorldRay& ray) {
+  return round_distance(cone.axis, written(cone.base_radius), written(cone.cap_radius), cone.capped, ray);
+}
+
+/// The nearest of its own hits that all half-spaces have and, of a solid, of those of the planes that all others have
+/// and that lie inside.
+std::optional<Real> distance(const Quadric& quadric, const WorldRay& ray) {
+  const auto& of = quadric.coefficients;
+  const auto squares = [&](const RealVector& p, const RealVector& q) {
+    const Real twice =
+        Real(2) * (written(of.xx) * p.x * q.x + written(of.yy) * p.y * q.y + written(of.zz) * p.z * q.z) +
+        written(of.xy) * (p.x * q.y + p.y * q.x) + written(of.xz) * (p.x * q.z + p.z * q.x) +
+        written(of.yz) * (p.y * q.z + p.z * q.y);
+    return twice / Real(2);
+  };
+  const RealVector linear = written(glm::dvec3(of.x, of.y, of.z));
+  const Real a = squares(ray.direction, ray.direction);
+  const Real b = squares(ray.direction, ray.origin) + dot(linear, ray.direction) / Real(2);
+  const Real c = squares(ray.origin, ray.origin) + dot(linear, ray.origin) + written(of.constant);
+  std::optional<Real> nearest;
+  const auto offer = [&](const Real& t, const HalfSpace<double>* but) {
+    if (!(t > Real(0)) || (nearest && !(t < *nearest))) return;
+    for (const HalfSpace<double>& other : quadric.clip) {
+      if (&other == but) continue;
+      const RealVector normal = written(other.normal);
+      if (dot(normal, ray.origin) + t * dot(normal, ray.direction) > written(other.offset)) return;
+    }
+    nearest = t;
+  };
+  for (const Real& t : roots(a, b, c)) offer(t, nullptr);
+  for (const HalfSpace<double>& plane : quadric.clip) {
+    const RealVector normal = written(plane.normal);
+    const Real approach = dot(normal, ray.direction);
+    if (!quadric.capped || approach == Real(0)) continue;
+    const Real t = (written(plane.offset) - dot(normal, ray.origin)) / approach;
+    if (!((a * t + Real(2) * b) * t + c > Real(0))) offer(t, &plane);
+  }
+  return nearest;
+}
+
+/// Of the triangles that fan out from its first vertex.
+std::optional<Real> distance(const Polygon& polygon, const WorldRay& ray) {
+  const auto& v = polygon.vertices;
+  std::optional<Real> nearest;
+  for (std::size_t k = 2; k < v.size() && !nearest; ++k) nearest = distance(Triangle{{v[0], v[k - 1], v[k]}}, ray);
   return nearest;
 }
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What cylinders and cones share: an axis between two points, flat ends, and quadrics that are round about it.
+#pragma once
+
+#include "surface/quadric_frame.h"
+#include "surface/reading.h"
+
+namespace pyrasim {
+
+/// From the middle of `base` at one end to the middle of `cap` at the other.
+struct AxisSegment {
+  glm::dvec3 base;
+  glm::dvec3 cap;
+
+  /// Members "base" and "cap". Throws InputError.
+  static AxisSegment read(const JsonReader& reader);
+  Quadruple length() const;
+};
+
+/// About the middle of the axis, its third one along it; scales, signs and what follows are the caller's.
+QuadricFrame frame_about(const AxisSegment& axis);
+
+/// Cut off at both ends and seen by the observer. `radius`: the largest.
+QuadricShape<double, 2> cut_off(const QuadricFrame& frame, const AxisSegment& axis, double radius,
+                                const Preparation& preparation);
+
+}  // namespace pyrasim

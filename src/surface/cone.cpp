@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/cone.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pyrasim {
+namespace {
+
+double read_radius(const JsonReader& reader) {
+  const double radius = reader.number({0, max_coordinate});
+  if (radius > 0 && radius < min_length) {
+    reader.fail(fmt::format("{} is too small", radius), fmt::format("0 or at least {} is allowed", min_length));
+  }
+  return radius;
+}
+
+}  // namespace
+
+Cone Cone::read(const JsonReader& reader, const SceneReading&) {
+  const Cone cone{AxisSegment::read(reader), read_radius(reader.member("base_radius")),
+                  read_radius(reader.member("cap_radius")), reader.optional_boolean("capped").value_or(true)};
+  if (cone.base_radius == 0 && cone.cap_radius == 0) {
+    reader.member("cap_radius").fail("it is 0, and so is base_radius", "one of the two may be 0");
+  }
+  return cone;
+}
+
+/// w = mean radius + slope * height, from the middle: about the apex a cone that is nearly a cylinder would be far
+/// away. Where the slope is more than 1, its axis has the length of 1.
+Prepared<ConeSurface> Cone::prepared(const Preparation& preparation) const {
+  QuadricFrame frame = frame_about(axis);
+  const Quadruple slope = (static_cast<Quadruple>(cap_radius) - base_radius) / axis.length();
+  const Quadruple steep = slope < 0 ? -slope : slope;
+  const Quadruple scale = steep > 1 ? 1 / steep : 1;
+  frame.scales = {scale, scale, scale * slope};
+  frame.signs = {1, 1, -1};
+  frame.shift[2] = scale * ((static_cast<Quadruple>(base_radius) + cap_radius) / 2);
+  Prepared<ConeSurface> prepared{};
+  prepared.surface.shape = cut_off(frame, axis, std::max(base_radius, cap_radius), preparation);
+  prepared.surface.shape.capped = prepared.surface.shape.convex = capped;
+  return prepared;
+}
+
+}  // namespace pyrasim

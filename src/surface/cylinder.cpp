@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/cylinder.h"
+
+namespace pyrasim {
+
+Cylinder Cylinder::read(const JsonReader& reader, const SceneReading&) {
+  return {AxisSegment::read(reader), reader.member("radius").number(lengths),
+          reader.optional_boolean("capped").value_or(true)};
+}
+
+/// x^2 + y^2 = r^2.
+Prepared<CylinderSurface> Cylinder::prepared(const Preparation& preparation) const {
+  QuadricFrame frame = frame_about(axis);
+  frame.scales[2] = frame.signs[2] = 0;
+  frame.constant = -static_cast<Quadruple>(radius) * radius;
+  Prepared<CylinderSurface> prepared{};
+  prepared.surface.shape = cut_off(frame, axis, radius, preparation);
+  prepared.surface.shape.capped = prepared.surface.shape.convex = capped;
+  return prepared;
+}
+
+}  // namespace pyrasim

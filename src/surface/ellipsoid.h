@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "surface/preparation.h"
+#include "surface/quadric_bounds.h"
+#include "surface/reading.h"
+
+namespace pyrasim {
+
+/// A sphere in the frame of its axes.
+template <class Scalar>
+struct EllipsoidSurface : QuadricSurfaceBase<EllipsoidSurface, Scalar, 0> {
+  static constexpr SurfaceTraits traits{.name = "ellipsoid", .default_cost = 5, .extent = Extent::bounded};
+};
+
+/// Its axes are the world's.
+struct Ellipsoid {
+  static constexpr std::string_view type = "ellipsoid";
+  static constexpr std::array<std::string_view, 2> keys{"center", "radii"};
+
+  glm::dvec3 center;
+  glm::dvec3 radii;
+
+  static Ellipsoid read(const JsonReader& reader, const SceneReading& reading);
+  Prepared<EllipsoidSurface> prepared(const Preparation& preparation) const;
+};
+
+}  // namespace pyrasim

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/polygon.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/observer_frame.h"
+#include "numeric/vectors.h"
+
+namespace pyrasim {
+namespace {
+
+constexpr std::size_t max_vertices = 4096;
+/// Of the polygon's size and its coordinates, what decimal numbers and their rounding may leave of a flat polygon.
+constexpr double flat = 1e-9;
+
+/// Twice the area, along the normal (Newell's sum over the vertices), about the first vertex.
+glm::dvec3 area_vector(const std::vector<glm::dvec3>& vertices) {
+  glm::dvec3 sum(0);
+  for (std::size_t k = 2; k < vertices.size(); ++k) {
+    sum += cross(vertices[k - 1] - vertices[0], vertices[k] - vertices[0]);
+  }
+  return sum;
+}
+
+double size_of(const std::vector<glm::dvec3>& vertices) {
+  double size = 0;
+  for (const glm::dvec3& vertex : vertices) size = std::max(size, length(vertex - vertices[0]));
+  return size;
+}
+
+void check(const JsonReader& reader, const std::vector<glm::dvec3>& vertices) {
+  const double size = size_of(vertices);
+  double reach = 0;
+  for (const glm::dvec3& vertex : vertices) reach = std::max(reach, largest(vertex));
+  const double rounding = flat * size + 8 * epsilon<double>() * reach;
+  const glm::dvec3 area = area_vector(vertices);
+  if (!(length(area) > rounding * size)) {
+    reader.fail("the polygon has no area", "vertices that are not on one line, once around, are needed");
+  }
+  const glm::dvec3 normal = normalized(area);
+  double turned = 0;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const glm::dvec3& here = vertices[k];
+    const glm::dvec3 in = here - vertices[(k + vertices.size() - 1) % vertices.size()];
+    const glm::dvec3 out = vertices[(k + 1) % vertices.size()] - here;
+    if (std::abs(dot(normal, here - vertices[0])) > rounding) {
+      reader.fail(fmt::format("vertex {} is not in the plane of the others", k), "a flat polygon is needed");
+    }
+    if (length(out) < min_length) {
+      reader.fail(fmt::format("vertex {} is repeated", k), "vertices have to lie apart");
+    }
+    const double sine = dot(normal, cross(in, out));
+    if (sine < -rounding * std::max(length(in), length(out))) {
+      reader.fail(fmt::format("the polygon is bent inwards at vertex {}", k), "a convex polygon is needed");
+    }
+    turned += std::atan2(sine, dot(in, out));
+  }
+  if (turned > 9) {  // once around is 2 pi
+    reader.fail("the polygon goes around more than once", "a convex polygon is needed");
+  }
+}
+
+}  // namespace
+
+Polygon Polygon::read(const JsonReader& reader, const SceneReading&) {
+  const JsonReader list = reader.member("vertices");
+  Polygon polygon;
+  for (const JsonReader& vertex : list.elements(3, max_vertices)) polygon.vertices.push_back(vertex.vec3(coordinates));
+  check(list, polygon.vertices);
+  return polygon;
+}
+
+}  // namespace pyrasim

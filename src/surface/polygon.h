@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "mesh/degenerate.h"
+#include "surface/triangle.h"
+
+namespace pyrasim {
+
+/// Flat and convex, seen from both sides. The datapath holds triangles that fan out from the first vertex: they share
+/// their edges, so that no ray runs between them.
+struct Polygon {
+  static constexpr std::string_view type = "polygon";
+  static constexpr std::array<std::string_view, 1> keys{"vertices"};
+
+  std::vector<glm::dvec3> vertices;  ///< once around
+
+  static Polygon read(const JsonReader& reader, const SceneReading& reading);
+
+  /// Calls add(prepared triangle) for each.
+  template <class Add>
+  void prepare(const Preparation& preparation, const Add& add) const {
+    const auto observed = [&](std::size_t k) { return preparation.frame.point(vertices[k]); };
+    for (std::size_t k = 2; k < vertices.size(); ++k) {
+      if (is_degenerate(vertices[0], vertices[k - 1], vertices[k])) continue;  // a vertex on a straight side
+      add(prepared_triangle(observed(0), observed(k - 1), observed(k), preparation.lighting));
+    }
+  }
+};
+
+}  // namespace pyrasim

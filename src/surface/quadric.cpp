@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/quadric.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/vectors.h"
+#include "surface/clip_box.h"
+#include "surface/principal_axes.h"
+
+namespace pyrasim {
+namespace {
+
+constexpr double largest_coefficient = 1e60;  // as of squares of lengths
+constexpr double least_square = 1e-60;
+
+GeneralQuadric general(const Quadric::Coefficients& q) {
+  const auto half = [](double x) { return static_cast<Quadruple>(x) / 2; };
+  return {{{{q.xx, half(q.xy), half(q.xz)}, {half(q.xy), q.yy, half(q.yz)}, {half(q.xz), half(q.yz), q.zz}}},
+          {half(q.x), half(q.y), half(q.z)},
+          q.constant};
+}
+
+Quadric::Coefficients read_coefficients(const JsonReader& reader) {
+  reader.allow_keys({"xx", "yy", "zz", "xy", "xz", "yz", "x", "y", "z", "constant"});
+  Quadric::Coefficients q;
+  for (const auto& [key, to] : {std::pair<std::string_view, double*>{"xx", &q.xx},
+                                {"yy", &q.yy},
+                                {"zz", &q.zz},
+                                {"xy", &q.xy},
+                                {"xz", &q.xz},
+                                {"yz", &q.yz},
+                                {"x", &q.x},
+                                {"y", &q.y},
+                                {"z", &q.z},
+                                {"constant", &q.constant}}) {
+    *to = reader.optional_number(key, {-largest_coefficient, largest_coefficient}).value_or(0);
+  }
+  const double largest_square = std::max(largest({q.xx, q.yy, q.zz}), largest({q.xy, q.xz, q.yz}));
+  if (largest_square < least_square) {
+    reader.fail("no square is left", "one of xx, yy, zz, xy, xz and yz has to be at least 1e-60 in magnitude");
+  }
+  return q;
+}
+
+void read_bound(const JsonReader& reader, double outward, std::vector<HalfSpace<double>>& clip) {
+  const glm::dvec3 bound = reader.vec3(coordinates);
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 normal(0);
+    normal[axis] = outward;
+    clip.push_back({normal, outward * bound[axis]});
+  }
+}
+
+std::vector<HalfSpace<double>> read_clip(const JsonReader& reader) {
+  reader.allow_keys({"min", "max", "planes"});
+  std::vector<HalfSpace<double>> clip;
+  if (const auto min = reader.find("min")) read_bound(*min, -1, clip);
+  if (const auto max = reader.find("max")) read_bound(*max, 1, clip);
+  if (const auto planes = reader.find("planes")) {
+    for (const JsonReader& plane : planes->elements(0, max_clips - clip.size())) {
+      plane.allow_keys({"normal", "offset"});
+      clip.push_back({read_direction(plane.member("normal")), plane.member("offset").number(coordinates)});
+    }
+  }
+  if (!clip_box(clip, {})) reader.fail("nothing is left", "the half-spaces have to have a point in common");
+  return clip;
+}
+
+double sum_of_squares(const Quadric::Coefficients& q) {
+  return sum(magnitudes({q.xx, q.yy, q.zz})) + sum(magnitudes({q.xy, q.xz, q.yz}));
+}
+
+/// The box about an ellipsoid.
+std::optional<BoundingBox> ellipsoid_box(const QuadricFrame& frame) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (frame.signs[k] != frame.signs[0] || frame.signs[k] == 0) return std::nullopt;
+  }
+  if (!(frame.constant * frame.signs[0] <= 0)) return std::nullopt;
+  const glm::dvec3 center = rounded(frame.center);
+  glm::dvec3 half(0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Quadruple squared = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Quadruple part = frame.axes[k][axis] / frame.scales[k];
+      squared -= frame.signs[0] * frame.constant * part * part;
+    }
+    half[static_cast<int>(axis)] = static_cast<double>(square_root(squared));
+  }
+  return BoundingBox{center - half, center + half};
+}
+
+}  // namespace
+
+Quadric Quadric::read(const JsonReader& reader, const SceneReading&) {
+  Quadric quadric{read_coefficients(reader.member("coefficients"))};
+  if (const auto clip = reader.find("clip")) quadric.clip = read_clip(*clip);
+  quadric.capped = reader.optional_boolean("capped").value_or(false);
+  return quadric;
+}
+
+Prepared<QuadricSurface> Quadric::prepared(const Preparation& preparation) const {
+  const auto [frame, divisor] = principal_axes(general(coefficients));
+  const glm::dvec3& observer = preparation.frame.position();
+  const bool outside = capped && frame.signs[0] < 0;
+  const auto box = clip_box(clip, outside ? std::nullopt : ellipsoid_box(frame));
+  const glm::dvec3 center = rounded(frame.center);
+  double size = largest(center);
+  const bool bounded = box && std::max(largest(box->lower), largest(box->upper)) < beyond_all;
+  if (bounded) size = std::max({size, largest(box->lower), largest(box->upper)});
+  // What the coefficients' own rounding changes, so far from the world's origin: of q's gradient, and of q.
+  const double reach = size + largest(observer);
+  const double linear = sum(magnitudes({coefficients.x, coefficients.y, coefficients.z}));
+  const double drift = 0x1p-53 * (2 * sum_of_squares(coefficients) * reach + linear) / static_cast<double>(divisor);
+  const double written = drift * reach + 0x1p-53 * std::abs(coefficients.constant) / static_cast<double>(divisor);
+  Prepared<QuadricSurface> prepared{};
+  auto& shape = prepared.surface.shape;
+  shape.form = prepared_form(frame, preparation, size, written);
+  shape.form.drift = drift;
+  for (const auto& [normal, offset] : clip) {
+    const double scale = std::ldexp(1.0, -std::ilogb(largest(normal)));
+    const Quadruple from_observer = offset - dot(exactly(normal), exactly(observer));
+    shape.clip[shape.clips++] = {preparation.frame.direction(normal * scale),
+                                 static_cast<double>(from_observer * scale)};
+  }
+  shape.capped = capped;
+  shape.convex = (capped || clip.empty()) && std::min({frame.signs[0], frame.signs[1], frame.signs[2]}) >= 0;
+  shape.bounded = bounded;
+  if (!shape.bounded) return prepared;
+  shape.enclosure.center = preparation.frame.point(box->center());
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 half(0);
+    half[axis] = (box->upper[axis] - box->lower[axis]) / 2;
+    shape.enclosure.half[static_cast<std::size_t>(axis)] = preparation.frame.direction(half);
+  }
+  return prepared;
+}
+
+}  // namespace pyrasim

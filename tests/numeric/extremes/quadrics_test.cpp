@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// Extremes: surfaces of second order far from the world's origin and seen from far, and rays along their generators.
+#include "../ties/every_hit.h"
+#include "../ties/exact_distance.h"
+#include "camera/observer_frame.h"
+#include "numeric/round_to_format.h"
+
+namespace pyrasim {
+namespace {
+
+struct Kind {
+  const char* name;
+  double gate;  ///< of the 99th percentile of errors, ulp
+  SceneSurface (*about)(const glm::dvec3& center);
+};
+
+/// (p - center)^T diag(squares) (p - center) + linear (z - center.z) + constant within a cube of half side 2.
+SceneSurface clipped(const glm::dvec3& squares, double linear, double constant, const glm::dvec3& center) {
+  Quadric quadric;
+  quadric.coefficients = {.xx = squares.x, .yy = squares.y, .zz = squares.z};
+  auto& of = quadric.coefficients;
+  of.x = -2 * squares.x * center.x;
+  of.y = -2 * squares.y * center.y;
+  of.z = linear - 2 * squares.z * center.z;
+  of.constant = constant - linear * center.z + dot(squares * center, center);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double outward : {-1.0, 1.0}) {
+      glm::dvec3 normal(0);
+      normal[axis] = outward;
+      quadric.clip.push_back({normal, outward * center[axis] + 2});
+    }
+  }
+  return quadric;
+}
+
+/// All numbers have few digits in binary, so that even coefficients at the world's origin are what they should be.
+const std::array<Kind, 7> kinds{{{"ellipsoid", 8,
+                                  [](const glm::dvec3& c) -> SceneSurface {
+                                    return Ellipsoid{c, {1, 2, 0.5}};
+                                  }},
+                                 {"cylinder", 8,
+                                  [](const glm::dvec3& c) -> SceneSurface {
+                                    return Cylinder{{c - glm::dvec3(1, 0.5, 1), c + glm::dvec3(1, 0.5, 1)}, 0.75};
+                                  }},
+                                 {"cone", 8,
+                                  [](const glm::dvec3& c) -> SceneSurface {
+                                    return Cone{{c - glm::dvec3(1, 0.5, 1), c + glm::dvec3(1, 0.5, 1)}, 1, 0.25};
+                                  }},
+                                 {"paraboloid", 8,
+                                  [](const glm::dvec3& c) -> SceneSurface {
+                                    return clipped({1, 1, 0}, 1, -1, c);
+                                  }},
+                                 {"hyperboloid of one sheet", 8,
+                                  [](const glm::dvec3& c) -> SceneSurface {
+                                    return clipped({1, 1, -1}, 0, -0.25, c);
+                                  }},
+                                 {"hyperboloid of two sheets", 8,
+                                  [](const glm::dvec3& c) -> SceneSurface {
+                                    return clipped({1, 1, -1}, 0, 0.25, c);
+                                  }},
+                                 {"saddle", 32, [](const glm::dvec3& c) -> SceneSurface {
+                                    return clipped({1, -1, 0}, 1, 0, c);
+                                  }}}};
+
+/// A surface about a point far out, and a camera `distance` from it.
+Scene far_out(Random& random, const Kind& kind, double distance) {
+  const auto whole = [](const glm::dvec3& v) { return glm::dvec3(std::round(v.x), std::round(v.y), std::round(v.z)); };
+  const glm::dvec3 center = whole(random.unit_vector() * 1e5);
+  Scene scene = empty_scene(1, 1, 1);
+  scene.camera = decimal_camera(random, 0);
+  scene.camera.position = center + whole(random.unit_vector() * distance);
+  scene.camera.look_at = center;
+  scene.objects = {object(kind.about(center))};
+  return scene;
+}
+
+/// Where rays by a few units of the last place beside it hit, or miss: outside of a band about outlines all the same.
+bool in_band(const Scene& scene, const glm::dvec3& v, double unit, const std::optional<Real>& exact) {
+  for (const double y : {-unit, unit}) {
+    for (const double z : {-unit, unit}) {
+      const WorldRay beside(scene.camera, {v.x, v.y + y, v.z + z});
+      const auto there = exact_distance(scene.objects[0].surface, beside);
+      if (there.has_value() != exact.has_value()) return true;
+      if (exact && abs(*there - *exact) > *exact * Real(0x1p-6)) return true;
+    }
+  }
+  return false;
+}
+
+struct Errors {
+  int wrong = 0;
+  std::vector<double> in_units;
+};
+
+template <class Scalar>
+Errors errors(const Kind& kind, double distance) {
+  const NumberFormat format = FormatOf<Scalar>::value;
+  Random random(17);
+  Errors errors;
+  for (int k = 0; k < 40; ++k) {
+    const Scene scene = far_out(random, kind, distance);
+    const auto tester = make_every_hit(scene, format);
+    const glm::dvec3 center(
+        std::sqrt(dot(scene.camera.position - scene.camera.look_at, scene.camera.position - scene.camera.look_at)), 0,
+        0);
+    for (int ray = 0; ray < 40; ++ray) {
+      const glm::dvec3 target = center + random.vector(-1.5, 1.5);
+      const glm::dvec3 v(1, as_held<Scalar>(target.y / target.x), as_held<Scalar>(target.z / target.x));
+      const auto exact = exact_distance(scene.objects[0].surface, WorldRay(scene.camera, v));
+      if (in_band(scene, v, 64 * std::ldexp(1.0, 1 - format.significand_bits), exact)) continue;
+      const auto hits = tester->of(v);
+      if (hits.empty() == exact.has_value()) ++errors.wrong;
+      if (hits.empty() || !exact) continue;
+      const Real scaled = *exact * Real(std::ldexp(1.0, tester->exponent()));
+      errors.in_units.push_back(error_in_ulp(static_cast<Scalar>(hits[0].t), scaled));
+    }
+  }
+  std::sort(errors.in_units.begin(), errors.in_units.end());
+  return errors;
+}
+
+template <class Scalar>
+void expect_few_units() {
+  for (const Kind& kind : kinds) {
+    for (const double distance : {8.0, 128.0}) {
+      const Errors found = errors<Scalar>(kind, distance);
+      ASSERT_GT(found.in_units.size(), 100U) << kind.name;
+      const double most = found.in_units[found.in_units.size() * 99 / 100];
+      print_figure(fmt::format("{}, 1e5 from the origin, {} away: p99", kind.name, distance), FormatOf<Scalar>::value,
+                   fmt::format("{:.1f} ulp of {} hits, {} wrong", most, found.in_units.size(), found.wrong));
+      EXPECT_LE(most, kind.gate) << kind.name;
+      EXPECT_EQ(found.wrong, 0) << kind.name;
+    }
+  }
+}
+
+TEST(ExtremesQuadrics, FarFromTheOriginInDouble) { expect_few_units<double>(); }
+TEST(ExtremesQuadrics, FarFromTheOriginInFloat) { expect_few_units<float>(); }
+
+/// The square's coefficient of t vanishes there: rays along a cone's side, a cylinder's axis, a hyperboloid's lines and
+/// a paraboloid's axis, and next to them.
+TEST(ExtremesQuadrics, RaysAlongGenerators) {
+  struct Along {
+    SceneSurface surface;
+    glm::dvec3 direction;
+  };
+  const std::array<Along, 5> all{{{Cone{{{8, 0, 0}, {12, 0, 0}}, 0, 4}, {4, 4, 0}},
+                                  {Cone{{{8, 0, 0}, {12, 0, 0}}, 3, 0, false}, {4, 3, 0}},
+                                  {Cylinder{{{8, 0, 0}, {12, 0, 0}}, 1}, {1, 0, 0}},
+                                  {clipped({1, 1, -1}, 0, -0.25, {8, 0, 0}), {0, 1, 1}},
+                                  {clipped({1, 1, 0}, 1, -1, {8, 0, 0}), {0, 0, 1}}}};
+  for (const NumberFormat& format : number_formats()) {
+    SCOPED_TRACE(format.name());
+    const RoundToFormat round = rounding_to(format);
+    Random random(5);
+    int hits_met = 0;
+    for (const auto& [surface, direction] : all) {
+      for (int k = 0; k < 200; ++k) {
+        Scene scene = empty_scene(1, 1, 1);
+        scene.camera = decimal_camera(random, 0);
+        const glm::dvec3 along = normalized(direction);
+        scene.camera.position = decimal(glm::dvec3(9, 0, 0) - along * 6.0 + random.vector(-1, 1));
+        scene.camera.look_at = scene.camera.position + direction;
+        scene.objects = {object(surface)};
+        const double aside = k % 4 == 0 ? 0 : std::exp2(random.uniform(-60, -8));
+        glm::dvec3 v(1, aside, random.uniform(-1, 1) * aside);
+        if (round != nullptr) v = {1, round(v.y), round(v.z)};
+        const auto tester = make_every_hit(scene, format);
+        const auto hits = tester->of(v);
+        const auto exact = exact_distance(surface, WorldRay(scene.camera, v));
+        if (hits.empty() || !exact || hits[0].saturated) continue;
+        const Real scaled = *exact * Real(std::ldexp(1.0, tester->exponent()));
+        ASSERT_LE(Real(hits[0].range.lowest), scaled) << hits[0].t;
+        ASSERT_GE(Real(hits[0].range.highest), scaled) << hits[0].t;
+        if (format == NumberFormat() || format.name() == "float") {
+          EXPECT_LE(abs(scaled - Real(hits[0].t)), scaled * Real(std::ldexp(16.0, -format.significand_bits / 2)));
+        }
+        ++hits_met;
+      }
+    }
+    EXPECT_GT(hits_met, 200);
+  }
+}
+
+}  // namespace
+}  // namespace pyrasim
