@@ -137,13 +137,25 @@ void expect_few_units() {
 TEST(ExtremesQuadrics, FarFromTheOriginInDouble) { expect_few_units<double>(); }
 TEST(ExtremesQuadrics, FarFromTheOriginInFloat) { expect_few_units<float>(); }
 
+struct Along {
+  SceneSurface surface;
+  glm::dvec3 direction;
+};
+
+/// The surface seen along the direction, from somewhere before it.
+Scene seen_along(Random& random, const Along& along) {
+  Scene scene = empty_scene(1, 1, 1);
+  scene.camera = decimal_camera(random, 0);
+  const glm::dvec3 back = normalized(along.direction) * 6.0;
+  scene.camera.position = decimal(glm::dvec3(9, 0, 0) - back + random.vector(-1, 1));
+  scene.camera.look_at = scene.camera.position + along.direction;
+  scene.objects = {object(along.surface)};
+  return scene;
+}
+
 /// The square's coefficient of t vanishes there: rays along a cone's side, a cylinder's axis, a hyperboloid's lines and
 /// a paraboloid's axis, and next to them.
 TEST(ExtremesQuadrics, RaysAlongGenerators) {
-  struct Along {
-    SceneSurface surface;
-    glm::dvec3 direction;
-  };
   const std::array<Along, 5> all{{{Cone{{{8, 0, 0}, {12, 0, 0}}, 0, 4}, {4, 4, 0}},
                                   {Cone{{{8, 0, 0}, {12, 0, 0}}, 3, 0, false}, {4, 3, 0}},
                                   {Cylinder{{{8, 0, 0}, {12, 0, 0}}, 1}, {1, 0, 0}},
@@ -154,20 +166,15 @@ TEST(ExtremesQuadrics, RaysAlongGenerators) {
     const RoundToFormat round = rounding_to(format);
     Random random(5);
     int hits_met = 0;
-    for (const auto& [surface, direction] : all) {
+    for (const Along& along : all) {
       for (int k = 0; k < 200; ++k) {
-        Scene scene = empty_scene(1, 1, 1);
-        scene.camera = decimal_camera(random, 0);
-        const glm::dvec3 along = normalized(direction);
-        scene.camera.position = decimal(glm::dvec3(9, 0, 0) - along * 6.0 + random.vector(-1, 1));
-        scene.camera.look_at = scene.camera.position + direction;
-        scene.objects = {object(surface)};
+        const Scene scene = seen_along(random, along);
         const double aside = k % 4 == 0 ? 0 : std::exp2(random.uniform(-60, -8));
         glm::dvec3 v(1, aside, random.uniform(-1, 1) * aside);
         if (round != nullptr) v = {1, round(v.y), round(v.z)};
         const auto tester = make_every_hit(scene, format);
         const auto hits = tester->of(v);
-        const auto exact = exact_distance(surface, WorldRay(scene.camera, v));
+        const auto exact = exact_distance(along.surface, WorldRay(scene.camera, v));
         if (hits.empty() || !exact || hits[0].saturated) continue;
         const Real scaled = *exact * Real(std::ldexp(1.0, tester->exponent()));
         ASSERT_LE(Real(hits[0].range.lowest), scaled) << hits[0].t;
