@@ -25,8 +25,9 @@ struct ArithmeticEvents {
   friend bool operator==(const ArithmeticEvents&, const ArithmeticEvents&) = default;
 };
 
-/// The events of this thread's operations in Flt and Fix since it last set them to {}. The only global of the number
-/// formats: an operator has no other place to leave what happened. Whoever runs threads adds their counts up.
+/// The events of this thread's operations in Flt and Fix since it last set them to {}. Like the format that they
+/// compute in (format_scope.h) a global: an operator has no other place to leave what happened. Whoever runs threads
+/// adds their counts up.
 inline constinit thread_local ArithmeticEvents arithmetic_events{};
 
 }  // namespace pyrasim

@@ -12,7 +12,7 @@ namespace pyrasim {
 enum class NumberKind : std::uint8_t {
   processor,  ///< double and float, the processor's own
   floating,   ///< Flt
-  fixed       ///< Fix
+  fixed       ///< Fix, rounding to nearest with ties to even, saturating
 };
 
 struct NumberFormat {

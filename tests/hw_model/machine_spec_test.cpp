@@ -89,7 +89,7 @@ TEST_F(LoadMachine, ErrorsNameFileAndPointer) {
   EXPECT_TRUE(starts_with(error(R"({"frame_buffer": {"latency": 1}})"),
                           "machine.json: /frame_buffer/latency: nothing waits for what the frame buffer stores"));
   EXPECT_TRUE(
-      starts_with(error(R"({"intersection": {"cost": {"cone": 1}}})"), "machine.json: /intersection/cost/cone: "));
+      starts_with(error(R"({"intersection": {"cost": {"helix": 1}}})"), "machine.json: /intersection/cost/helix: "));
   EXPECT_TRUE(starts_with(error(R"({"intersection": {"units": 0}})"), "machine.json: /intersection/units: "));
   EXPECT_TRUE(starts_with(error(R"({"intersection": {"units": 257}})"), "machine.json: /intersection/units: "));
   EXPECT_TRUE(starts_with(error(R"({"intersection": {"units": 1.5}})"), "machine.json: /intersection/units: "));

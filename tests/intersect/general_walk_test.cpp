@@ -76,7 +76,7 @@ void expect_what_every_test_finds(int scenes, int rays_each) {
     }
   }
   EXPECT_GT(hits, scenes * rays_each / 4);
-  constexpr NumberFormat format = FormatOf<Scalar>::value;
+  const NumberFormat format = format_of<Scalar>();
   // In the narrowest formats little is known of where a ray along a cylinder or a cone meets it.
   const bool narrow = format.kind == NumberKind::fixed ? format.fraction_bits < 16 : format.significand_bits < 11;
   if (!narrow) {

@@ -94,7 +94,7 @@ struct Errors {
 
 template <class Scalar>
 Errors errors(const Kind& kind, double distance) {
-  const NumberFormat format = FormatOf<Scalar>::value;
+  const NumberFormat format = format_of<Scalar>();
   Random random(17);
   Errors errors;
   for (int k = 0; k < 40; ++k) {
@@ -126,7 +126,7 @@ void expect_few_units() {
       const Errors found = errors<Scalar>(kind, distance);
       ASSERT_GT(found.in_units.size(), 100U) << kind.name;
       const double most = found.in_units[found.in_units.size() * 99 / 100];
-      print_figure(fmt::format("{}, 1e5 from the origin, {} away: p99", kind.name, distance), FormatOf<Scalar>::value,
+      print_figure(fmt::format("{}, 1e5 from the origin, {} away: p99", kind.name, distance), format_of<Scalar>(),
                    fmt::format("{:.1f} ulp of {} hits, {} wrong", most, found.in_units.size(), found.wrong));
       EXPECT_LE(most, kind.gate) << kind.name;
       EXPECT_EQ(found.wrong, 0) << kind.name;
@@ -163,7 +163,7 @@ TEST(ExtremesQuadrics, RaysAlongGenerators) {
                                   {clipped({1, 1, 0}, 1, -1, {8, 0, 0}), {0, 0, 1}}}};
   for (const NumberFormat& format : number_formats()) {
     SCOPED_TRACE(format.name());
-    const RoundToFormat round = rounding_to(format);
+    const RoundToFormat round(format);
     Random random(5);
     int hits_met = 0;
     for (const Along& along : all) {
@@ -171,7 +171,7 @@ TEST(ExtremesQuadrics, RaysAlongGenerators) {
         const Scene scene = seen_along(random, along);
         const double aside = k % 4 == 0 ? 0 : std::exp2(random.uniform(-60, -8));
         glm::dvec3 v(1, aside, random.uniform(-1, 1) * aside);
-        if (round != nullptr) v = {1, round(v.y), round(v.z)};
+        v = {1, round(v.y), round(v.z)};
         const auto tester = make_every_hit(scene, format);
         const auto hits = tester->of(v);
         const auto exact = exact_distance(along.surface, WorldRay(scene.camera, v));
