@@ -50,7 +50,6 @@ class Filling {
       }
     });
     prepared_.exponent = scaling.exponent;
-    prepared_.unit = std::ldexp(1.0, -scaling.exponent);
     prepared_.rounding.place = std::min(scaling(largest(preparation_.frame.position()), 1), 0x1p500);
     return std::move(prepared_);
   }

@@ -69,7 +69,6 @@ struct PreparedScene {
   SurfaceStore<Scalar> kinds;         ///< of each those apart first, then in the order of leaves
   Lighting<Scalar> lighting;
   int exponent = 0;                                                ///< lengths are the scene's times 2^exponent
-  double unit = 1;                                                 ///< 2^-exponent: of its lengths, in the scene's
   RoundingUnits rounding;                                          ///< of the format
   ScalarFormat<Scalar> numbers = ScalarFormat<Scalar>::current();  ///< the format, as computing in it takes it
 };

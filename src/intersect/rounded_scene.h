@@ -48,7 +48,6 @@ PreparedScene<Scalar> rounded(PreparedScene<double> scene) {
     const ToFormat<Scalar> round;
     result.lighting = {scene.lighting.lit, round(scene.lighting.ambient, 0), round(scene.lighting.towards_light, 0)};
     result.exponent = scene.exponent;
-    result.unit = scene.unit;
     result.rounding = scene.rounding;
     return result;
   }

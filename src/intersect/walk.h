@@ -26,7 +26,7 @@ template <class Scalar>
         const auto& [surfaces, shading] = std::get<kind>(scene.kinds);
         const auto& surface = surfaces[hit->index];
         const Scalar seen = surface.shade(shading[hit->index], scene.lighting, direction, hit->t);
-        return Sample{{surface.identity.object}, static_cast<double>(seen), static_cast<double>(hit->t) * scene.unit};
+        return Sample{{surface.identity.object}, static_cast<double>(seen)};
       });
 }
 

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -60,7 +62,8 @@ std::optional<NumberFormat> systematic_format(std::string_view name) {
 
 std::vector<NumberFormat> formats_to_compare() {
   std::vector<NumberFormat> formats;
-  for (const auto& [name, format] : named_formats) formats.push_back(format);
+  std::transform(named_formats.begin(), named_formats.end(), std::back_inserter(formats),
+                 [](const auto& named) { return named.second; });
   for (int p = 9; p <= max_significand_bits; ++p) {
     if (p != 11) formats.push_back(NumberFormat::floating(8, p));  // 11 are tf32
   }

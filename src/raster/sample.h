@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
 namespace pyrasim {
 
@@ -15,11 +14,10 @@ struct Seen {
   friend bool operator==(const Seen&, const Seen&) = default;
 };
 
-/// What a ray brings back.
+/// What a ray brings back. Two words, which a function returns in registers.
 struct Sample {
   Seen seen;
-  double shading = 1;                                      ///< factor on the object's colour, 0 to 1
-  double depth = std::numeric_limits<double>::infinity();  ///< times the view vector is the place, scene's units
+  double shading = 1;  ///< factor on the object's colour, 0 to 1
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 

@@ -40,7 +40,7 @@ class NumberedTracer final : public Intersector {
   Sample sample_of(std::uint32_t row, std::uint32_t column, Work& work) const {
     work.box_tests += column;
     ++work.surface_tests[row % surface_kinds];
-    return {row * static_cast<std::uint32_t>(window_.columns + 1) + column, 1.0 / (1 + column)};
+    return {{row * static_cast<std::uint32_t>(window_.columns + 1) + column}, 1.0 / (1 + column)};
   }
   /// Waits until the thread comes to the row at which it halts: it has done those before.
   void await_halt() const { halted_.wait(false); }

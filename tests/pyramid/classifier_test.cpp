@@ -49,8 +49,8 @@ TEST(Classifier, LightsDecide) {
   EXPECT_EQ(classify({{{{3, 2}}, {{3, 2}}, {{3, 2}}, {{3, 3}}}}), PyramidCase::edge);
 }
 
-TEST(Classifier, NeitherShadingNorDepthDecides) {
-  EXPECT_EQ(classify({{{{3}, 0.1, 1}, {{3}, 0.9, 2}, {{3}, 0, 3}, {{3}, 1, 4}}}), PyramidCase::covered);
+TEST(Classifier, ShadingDoesNotDecide) {
+  EXPECT_EQ(classify({{{{3}, 0.1}, {{3}, 0.9}, {{3}, 0}, {{3}, 1}}}), PyramidCase::covered);
 }
 
 TEST(Classifier, OnlyEdgesAboveMaxLevelSubdivide) {
