@@ -20,8 +20,8 @@ struct AxisSegment {
 /// About the middle of the axis, its third one along it; scales, signs and what follows are the caller's.
 QuadricFrame frame_about(const AxisSegment& axis);
 
-/// Cut off at both ends and seen by the observer. `radius`: the largest.
-QuadricShape<double, 2> cut_off(const QuadricFrame& frame, const AxisSegment& axis, double radius,
+/// Cut off at both ends, which are closed where it is `capped`, and seen by the observer. `radius`: the largest.
+QuadricShape<double, 2> cut_off(const QuadricFrame& frame, const AxisSegment& axis, double radius, bool capped,
                                 const Preparation& preparation);
 
 }  // namespace pyrasim

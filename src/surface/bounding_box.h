@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numeric/scalar.h"
+#include "numeric/vectors.h"
 
 namespace pyrasim {
 
@@ -26,6 +26,8 @@ struct BoundingBox {
       upper[axis] = std::max(upper[axis], box.upper[axis]);
     }
   }
+  /// The largest magnitude of a coordinate in it.
+  double reach() const { return std::max(largest(lower), largest(upper)); }
   glm::dvec3 center() const { return lower * 0.5 + upper * 0.5; }
   /// The area that a ray along x sees; 0 for an empty box.
   double frontal_area() const { return lower.x <= upper.x ? (upper.y - lower.y) * (upper.z - lower.z) : 0; }

@@ -29,12 +29,6 @@ std::array<glm::dvec3, 8> corners_of(const BoxSurface<double>& box) {
   return corners;
 }
 
-double size_of(const std::array<glm::dvec3, 8>& corners) {
-  double size = 0;
-  for (const glm::dvec3& corner : corners) size = std::max(size, largest(corner));
-  return size;
-}
-
 /// The planes of a slab's faces: normals are axes, and offsets are read, less the observer's place.
 BoundingPlane face(const Slab<double>& slab, double offset, double size, const RoundingUnits& rounding) {
   return {slab.normal, offset, 3 * largest(slab.normal) * rounding.written(size)};
@@ -91,7 +85,7 @@ Prepared<BoxSurface> Box::prepared(const Preparation& preparation) const {
 }
 
 double reach(const BoxSurface<double>& box) {
-  double reach = size_of(corners_of(box));
+  double reach = box_of(corners_of(box)).reach();
   for (const auto& slab : box.slabs) reach = std::max({reach, std::abs(slab.lower), std::abs(slab.upper)});
   return reach;
 }
@@ -119,27 +113,22 @@ double relative_error(const BoxSurface<double>& box, const RoundingUnits& roundi
 /// whether the observer is inside, the hit may be the one or the other.
 DistanceRange distance_range(const BoxSurface<double>& box, const Vector<double>& direction, double t,
                              const RoundingUnits& rounding) {
-  const auto corners = corners_of(box);
-  const double size = size_of(corners);
+  const BoundingBox all = box_of(corners_of(box));
+  const double size = all.reach();
   DistanceRange enter{-infinity, -infinity};
   DistanceRange leave{infinity, infinity};
-  double begin = infinity;
-  double end = -infinity;
   for (const auto& slab : box.slabs) {
     const PassageRange passage = passage_range(slab, size, direction, rounding);
-    enter = {std::max(enter.lowest, passage.enter.lowest), std::max(enter.highest, passage.enter.highest)};
-    leave = {std::min(leave.lowest, passage.leave.lowest), std::min(leave.highest, passage.leave.highest)};
-  }
-  for (const glm::dvec3& corner : corners) {
-    begin = std::min(begin, corner.x);
-    end = std::max(end, corner.x);
+    enter = later(enter, passage.enter);
+    leave = earlier(leave, passage.leave);
   }
   const bool may_enter = enter.highest > 0;
   const bool may_be_inside = !(enter.lowest > 0);
   const DistanceRange hit{std::max(0.0, may_enter ? enter.lowest : leave.lowest),
                           may_be_inside ? leave.highest : enter.highest};
   const double margin = 4 * rounding.relative * size + 2 * rounding.absolute + rounding.written(size);
-  return within_bounds({std::min(t, hit.lowest), std::max(t, hit.highest)}, begin - margin, end + margin, direction);
+  return within_bounds({std::min(t, hit.lowest), std::max(t, hit.highest)}, all.lower.x - margin, all.upper.x + margin,
+                       direction);
 }
 
 }  // namespace pyrasim

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "numeric/vectors.h"
-#include "surface/quadric_frame.h"
+#include "numeric/quadruple.h"
 
 namespace pyrasim {
 namespace {
@@ -15,15 +14,9 @@ struct ExactHalfSpace {
   Quadruple offset;
 };
 
-QuadrupleVector cross(const QuadrupleVector& a, const QuadrupleVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 ExactHalfSpace exact(const HalfSpace<double>& half_space) {
-  QuadrupleVector normal = exactly(half_space.normal);
-  const Quadruple length = square_root(dot(normal, normal));
-  for (Quadruple& component : normal) component /= length;
-  return {normal, half_space.offset / length};
+  const QuadrupleVector normal = exactly(half_space.normal);
+  return {unit(normal), half_space.offset / length(normal)};
 }
 
 /// Where three planes meet; none where they do not, or nearly do not.
@@ -41,8 +34,8 @@ std::optional<QuadrupleVector> corner(const ExactHalfSpace& a, const ExactHalfSp
 /// Rounding a corner must not lose it.
 bool holds(const std::vector<ExactHalfSpace>& planes, const QuadrupleVector& point) {
   for (const auto& [normal, offset] : planes) {
-    Quadruple size = offset < 0 ? -offset : offset;
-    for (std::size_t k = 0; k < 3; ++k) size += point[k] < 0 ? -point[k] : point[k];
+    Quadruple size = magnitude(offset);
+    for (const Quadruple coordinate : point) size += magnitude(coordinate);
     if (dot(normal, point) - offset > 0x1p-48 * size) return false;
   }
   return true;

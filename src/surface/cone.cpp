@@ -32,15 +32,12 @@ Cone Cone::read(const JsonReader& reader, const SceneReading&) {
 Prepared<ConeSurface> Cone::prepared(const Preparation& preparation) const {
   QuadricFrame frame = frame_about(axis);
   const Quadruple slope = (static_cast<Quadruple>(cap_radius) - base_radius) / axis.length();
-  const Quadruple steep = slope < 0 ? -slope : slope;
+  const Quadruple steep = magnitude(slope);
   const Quadruple scale = steep > 1 ? 1 / steep : 1;
   frame.scales = {scale, scale, scale * slope};
   frame.signs = {1, 1, -1};
   frame.shift[2] = scale * ((static_cast<Quadruple>(base_radius) + cap_radius) / 2);
-  Prepared<ConeSurface> prepared{};
-  prepared.surface.shape = cut_off(frame, axis, std::max(base_radius, cap_radius), preparation);
-  prepared.surface.shape.capped = prepared.surface.shape.convex = capped;
-  return prepared;
+  return {{{cut_off(frame, axis, std::max(base_radius, cap_radius), capped, preparation)}}, {}};
 }
 
 }  // namespace pyrasim

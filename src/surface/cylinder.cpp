@@ -13,10 +13,7 @@ Prepared<CylinderSurface> Cylinder::prepared(const Preparation& preparation) con
   QuadricFrame frame = frame_about(axis);
   frame.scales[2] = frame.signs[2] = 0;
   frame.constant = -static_cast<Quadruple>(radius) * radius;
-  Prepared<CylinderSurface> prepared{};
-  prepared.surface.shape = cut_off(frame, axis, radius, preparation);
-  prepared.surface.shape.capped = prepared.surface.shape.convex = capped;
-  return prepared;
+  return {{{cut_off(frame, axis, radius, capped, preparation)}}, {}};
 }
 
 }  // namespace pyrasim

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "numeric/quadruple.h"
 #include "numeric/vectors.h"
 #include "surface/error_bounds.h"
 #include "surface/plane.h"

@@ -6,6 +6,8 @@
 // own rounding moves all surfaces alike.
 #pragma once
 
+#include <algorithm>
+
 #include "surface/rounding_units.h"
 
 namespace pyrasim {
@@ -24,5 +26,13 @@ struct DistanceRange {
   double lowest;
   double highest;
 };
+
+/// Where the later, or the earlier, of two values of t lies.
+inline DistanceRange later(const DistanceRange& a, const DistanceRange& b) {
+  return {std::max(a.lowest, b.lowest), std::max(a.highest, b.highest)};
+}
+inline DistanceRange earlier(const DistanceRange& a, const DistanceRange& b) {
+  return {std::min(a.lowest, b.lowest), std::min(a.highest, b.highest)};
+}
 
 }  // namespace pyrasim

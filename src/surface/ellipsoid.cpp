@@ -18,17 +18,11 @@ Prepared<EllipsoidSurface> Ellipsoid::prepared(const Preparation& preparation) c
   QuadricFrame frame{exactly(center), {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
   Prepared<EllipsoidSurface> prepared{};
   auto& shape = prepared.surface.shape;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double radius = radii[static_cast<int>(k)];
-    frame.scales[k] = smallest / radius;
-    glm::dvec3 half(0);
-    half[static_cast<int>(k)] = radius;
-    shape.enclosure.half[k] = preparation.frame.direction(half);
-  }
+  for (std::size_t k = 0; k < 3; ++k) frame.scales[k] = smallest / radii[static_cast<int>(k)];
   frame.constant = -smallest * smallest;
   shape.form = prepared_form(frame, preparation, largest(center) + largest(radii));
   shape.bounded = shape.convex = true;
-  shape.enclosure.center = preparation.frame.point(center);
+  shape.enclosure = enclosure_along_axes(center, radii, preparation.frame);
   return prepared;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "numeric/compensated.h"
+#include "numeric/quadruple.h"
 #include "surface/bounding_box.h"
 #include "surface/distance_range.h"
 #include "surface/flat_shading.h"

@@ -8,8 +8,6 @@ namespace {
 
 constexpr double negligible = 0x1p-48;
 
-Quadruple magnitude(Quadruple x) { return x < 0 ? -x : x; }
-
 /// A direction and how much the matrix stretches it.
 struct Principal {
   Quadruple value;

@@ -22,19 +22,24 @@ GeneralQuadric general(const Quadric::Coefficients& q) {
 }
 
 Quadric::Coefficients read_coefficients(const JsonReader& reader) {
-  reader.allow_keys({"xx", "yy", "zz", "xy", "xz", "yz", "x", "y", "z", "constant"});
-  Quadric::Coefficients q;
-  for (const auto& [key, to] : {std::pair<std::string_view, double*>{"xx", &q.xx},
-                                {"yy", &q.yy},
-                                {"zz", &q.zz},
-                                {"xy", &q.xy},
-                                {"xz", &q.xz},
-                                {"yz", &q.yz},
-                                {"x", &q.x},
-                                {"y", &q.y},
-                                {"z", &q.z},
-                                {"constant", &q.constant}}) {
-    *to = reader.optional_number(key, {-largest_coefficient, largest_coefficient}).value_or(0);
+  using Coefficients = Quadric::Coefficients;
+  constexpr std::array<std::pair<std::string_view, double Coefficients::*>, 10> members{
+      {{"xx", &Coefficients::xx},
+       {"yy", &Coefficients::yy},
+       {"zz", &Coefficients::zz},
+       {"xy", &Coefficients::xy},
+       {"xz", &Coefficients::xz},
+       {"yz", &Coefficients::yz},
+       {"x", &Coefficients::x},
+       {"y", &Coefficients::y},
+       {"z", &Coefficients::z},
+       {"constant", &Coefficients::constant}}};
+  std::vector<std::string_view> keys(members.size());
+  std::transform(members.begin(), members.end(), keys.begin(), [](const auto& member) { return member.first; });
+  reader.allow_keys(keys);
+  Coefficients q;
+  for (const auto& [key, to] : members) {
+    q.*to = reader.optional_number(key, {-largest_coefficient, largest_coefficient}).value_or(0);
   }
   const double largest_square = std::max(largest({q.xx, q.yy, q.zz}), largest({q.xy, q.xz, q.yz}));
   if (largest_square < least_square) {
@@ -105,9 +110,8 @@ Prepared<QuadricSurface> Quadric::prepared(const Preparation& preparation) const
   const bool outside = capped && frame.signs[0] < 0;
   const auto box = clip_box(clip, outside ? std::nullopt : ellipsoid_box(frame));
   const glm::dvec3 center = rounded(frame.center);
-  double size = largest(center);
-  const bool bounded = box && std::max(largest(box->lower), largest(box->upper)) < beyond_all;
-  if (bounded) size = std::max({size, largest(box->lower), largest(box->upper)});
+  const bool bounded = box && box->reach() < beyond_all;
+  const double size = bounded ? std::max(largest(center), box->reach()) : largest(center);
   // What the coefficients' own rounding changes, so far from the world's origin: of q's gradient, and of q.
   const double reach = size + largest(observer);
   const double linear = sum(magnitudes({coefficients.x, coefficients.y, coefficients.z}));
@@ -127,12 +131,7 @@ Prepared<QuadricSurface> Quadric::prepared(const Preparation& preparation) const
   shape.convex = (capped || clip.empty()) && std::min({frame.signs[0], frame.signs[1], frame.signs[2]}) >= 0;
   shape.bounded = bounded;
   if (!shape.bounded) return prepared;
-  shape.enclosure.center = preparation.frame.point(box->center());
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::dvec3 half(0);
-    half[axis] = (box->upper[axis] - box->lower[axis]) / 2;
-    shape.enclosure.half[static_cast<std::size_t>(axis)] = preparation.frame.direction(half);
-  }
+  shape.enclosure = enclosure_along_axes(box->center(), (box->upper - box->lower) / 2.0, preparation.frame);
   return prepared;
 }
 

@@ -65,36 +65,34 @@ StretchRanges kept_by(std::span<const HalfSpace<double>> clip, const Vector<doub
   for (const HalfSpace<double>& half_space : clip) {
     const auto& [normal, offset] = half_space;
     const BoundingPlane plane = bounding_plane(half_space, size, tilt, rounding);
-    DistanceRange range = signed_plane_distance_range(plane, direction, rounding);
+    const DistanceRange range = signed_plane_distance_range(plane, direction, rounding);
     const double approach = dot(normal, direction);
     if (range.highest == infinity && certain_side(plane, rounding)) {
       // Nearly parallel: which way it passes the plane is not known, but which side the observer is on.
       const double least = plane_distance_range(plane, direction, rounding).lowest;
       if (offset < 0) return {{least, infinity}, {-infinity, infinity}};
-      range = {-infinity, -least};
-      kept.begin = {std::max(kept.begin.lowest, range.lowest), std::max(kept.begin.highest, range.highest)};
-      range = {least, infinity};
-      kept.end = {std::min(kept.end.lowest, range.lowest), std::min(kept.end.highest, range.highest)};
+      kept.keep_from({-infinity, -least});
+      kept.keep_to({least, infinity});
     } else if (approach > 0) {
-      kept.end = {std::min(kept.end.lowest, range.lowest), std::min(kept.end.highest, range.highest)};
+      kept.keep_to(range);
     } else {
-      kept.begin = {std::max(kept.begin.lowest, range.lowest), std::max(kept.begin.highest, range.highest)};
+      kept.keep_from(range);
     }
   }
   return kept;
 }
 
-}  // namespace
-
-double reach(const QuadricView& quadric) {
+/// `box`: bounds(quadric).
+double reach(const QuadricView& quadric, const std::optional<BoundingBox>& box) {
   double reach = std::max(largest(quadric.form.origin), std::sqrt(std::abs(quadric.form.constant)));
   reach = std::max(reach, std::abs(quadric.form.linear));
   for (const auto& plane : quadric.clip) reach = std::max(reach, std::abs(plane.offset));
-  if (quadric.enclosure != nullptr) {
-    for (const glm::dvec3& corner : corners_of(*quadric.enclosure)) reach = std::max(reach, largest(corner));
-  }
-  return reach;
+  return box ? std::max(reach, box->reach()) : reach;
 }
+
+}  // namespace
+
+double reach(const QuadricView& quadric) { return reach(quadric, bounds(quadric)); }
 
 std::optional<BoundingBox> bounds(const QuadricView& quadric) {
   if (quadric.enclosure == nullptr) return std::nullopt;
@@ -146,17 +144,17 @@ double relative_error(const QuadricView& quadric, const RoundingUnits& rounding)
 
 DistanceRange distance_range(const QuadricView& quadric, const Vector<double>& direction, double t,
                              const RoundingUnits& rounding) {
-  const double size = reach(quadric);
+  const auto box = bounds(quadric);
+  const double size = reach(quadric, box);
   const StretchRanges kept = kept_by(quadric.clip, direction, size, quadric.form.tilt, rounding);
   const QuadricErrors errors = errors_of(quadric.form, direction, size, rounding);
   const QuadricRootRanges roots = QuadricSteps(quadric.form, direction, errors, rounding).roots(kept);
   const FirstHitRange first = first_hit_range(roots, kept, quadric.capped);
   DistanceRange range{t, t};
   if (first.possible()) range = {std::min(t, first.range().lowest), std::max(t, first.range().highest)};
-  if (quadric.enclosure == nullptr) return range;
-  const BoundingBox box = *bounds(quadric);
+  if (!box) return range;
   const double margin = 4 * rounding.relative * size + 2 * rounding.absolute + rounding.written(size);
-  return within_bounds(range, box.lower.x - margin, box.upper.x + margin, direction);
+  return within_bounds(range, box->lower.x - margin, box->upper.x + margin, direction);
 }
 
 }  // namespace pyrasim

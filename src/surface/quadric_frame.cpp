@@ -6,27 +6,11 @@
 #include "numeric/vectors.h"
 
 namespace pyrasim {
-glm::dvec3 rounded(const QuadrupleVector& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
-/// Newton's method from double's root: it doubles the digits that are right.
-Quadruple square_root(Quadruple square) {
-  if (!(square > 0)) return 0;
-  Quadruple root = std::sqrt(static_cast<double>(square));
-  for (int k = 0; k < 2; ++k) root = (root + square / root) / 2;
-  return root;
-}
-
-QuadrupleVector exactly(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
-Quadruple dot(const QuadrupleVector& a, const QuadrupleVector& b) { return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]); }
 
 QuadricForm<double> prepared_form(const QuadricFrame& frame, const Preparation& preparation, double size,
                                   double written) {
   const glm::dvec3& observer = preparation.frame.position();
-  QuadrupleVector from_center = exactly(observer);
-  for (std::size_t k = 0; k < 3; ++k) from_center[k] -= frame.center[k];
+  const QuadrupleVector from_center = difference(exactly(observer), frame.center);
   QuadrupleVector origin{};
   QuadricForm<double> form{};
   Quadruple power =
@@ -48,6 +32,16 @@ QuadricForm<double> prepared_form(const QuadricFrame& frame, const Preparation& 
   form.power = std::abs(static_cast<double>(power)) > rounding ? static_cast<double>(power) : 0;
   form.written = written;
   return form;
+}
+
+Enclosure<double> enclosure_along_axes(const glm::dvec3& center, const glm::dvec3& half, const ObserverFrame& frame) {
+  Enclosure<double> enclosure{frame.point(center), {}};
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 reach(0);
+    reach[axis] = half[axis];
+    enclosure.half[static_cast<std::size_t>(axis)] = frame.direction(reach);
+  }
+  return enclosure;
 }
 
 }  // namespace pyrasim

@@ -2,17 +2,11 @@
 // Quadrics as preparation knows them: in the world's coordinates, in 113 bits.
 #pragma once
 
+#include "numeric/quadruple.h"
 #include "surface/preparation.h"
 #include "surface/quadric_shape.h"
 
 namespace pyrasim {
-
-using QuadrupleVector = std::array<Quadruple, 3>;
-
-glm::dvec3 rounded(const QuadrupleVector& v);
-Quadruple square_root(Quadruple square);
-QuadrupleVector exactly(const glm::dvec3& v);
-Quadruple dot(const QuadrupleVector& a, const QuadrupleVector& b);
 
 /// The frame in which a quadric is a QuadricForm.
 struct QuadricFrame {
@@ -29,5 +23,8 @@ struct QuadricFrame {
 /// rounding may amount to is on the surface. `written`: by how much q may lie from what the scene says beside that.
 QuadricForm<double> prepared_form(const QuadricFrame& frame, const Preparation& preparation, double size,
                                   double written = 0);
+
+/// The box along the world's axes that reaches so far from its centre, seen by the observer.
+Enclosure<double> enclosure_along_axes(const glm::dvec3& center, const glm::dvec3& half, const ObserverFrame& frame);
 
 }  // namespace pyrasim

@@ -6,13 +6,6 @@
 namespace pyrasim {
 namespace {
 
-DistanceRange later(const DistanceRange& a, const DistanceRange& b) {
-  return {std::max(a.lowest, b.lowest), std::max(a.highest, b.highest)};
-}
-DistanceRange earlier(const DistanceRange& a, const DistanceRange& b) {
-  return {std::min(a.lowest, b.lowest), std::min(a.highest, b.highest)};
-}
-
 FirstHitRange of_skin(const QuadricRootRanges& roots, const StretchRanges& kept) {
   FirstHitRange first;
   for (const DistanceRange& root : {roots.first, roots.last}) {

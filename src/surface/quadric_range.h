@@ -23,6 +23,8 @@ struct StretchRanges {
   DistanceRange begin{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   DistanceRange end{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
+  void keep_from(const DistanceRange& t) { begin = later(begin, t); }
+  void keep_to(const DistanceRange& t) { end = earlier(end, t); }
   bool possible() const { return begin.lowest <= end.highest; }
   bool certain() const { return begin.highest <= end.lowest; }
 };

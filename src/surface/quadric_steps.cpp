@@ -120,8 +120,8 @@ QuadricRootRanges QuadricSteps::roots(const StretchRanges& kept) const {
     return result;
   }
   const DistanceRange outer = range_of(quotient(h, a_));
-  result.first = {std::min(inner.lowest, outer.lowest), std::min(inner.highest, outer.highest)};
-  result.last = {std::max(inner.lowest, outer.lowest), std::max(inner.highest, outer.highest)};
+  result.first = earlier(inner, outer);
+  result.last = later(inner, outer);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "numeric/quadruple.h"
 #include "numeric/vectors.h"
 #include "surface/error_bounds.h"
 #include "surface/slope_bounds.h"
