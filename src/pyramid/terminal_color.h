@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <glm/common.hpp>
 #include <vector>
 
 #include "pyramid/classifier.h"
@@ -39,9 +38,12 @@ class Palette {
   /// summed first: the mean of a mirrored or transposed pixel is the same, bit for bit.
   FixedColor terminal_color(PyramidCase which, const CornerSamples& corners, EdgePolicy edge) const {
     if (which == PyramidCase::covered) {
-      const glm::dvec3& color = colors_[corners[0].seen.object];
-      if (lights_) return fixed(lit(color, mean(corners, &Shading::light)), 1, 4);
-      return fixed(color, mean(corners, &Shading::factor), 4);
+      if (lights_) [[unlikely]]
+        return lit(corners);
+      const double shading = ((corners[0].shading.factor() + corners[3].shading.factor()) +
+                              (corners[1].shading.factor() + corners[2].shading.factor())) /
+                             4;
+      return fixed(colors_[corners[0].seen.object], shading, 4);
     }
     if (which == PyramidCase::empty || edge == EdgePolicy::drop) return background_;
     FixedColor sum{};
@@ -55,20 +57,16 @@ class Palette {
   /// The colour of one sample, times `quarters` / 4.
   FixedColor sample_color(const Sample& sample, std::int64_t quarters = 4) const {
     if (sample.seen.object == no_object) return fixed(background_color_, 1, quarters);
-    const glm::dvec3& color = colors_[sample.seen.object];
-    if (lights_) return fixed(lit(color, sample.shading.light()), 1, quarters);
-    return fixed(color, sample.shading.factor(), quarters);
+    if (lights_) [[unlikely]]
+      return lit(sample, quarters);
+    return fixed(colors_[sample.seen.object], sample.shading.factor(), quarters);
   }
 
  private:
-  template <class Part>
-  static Part mean(const CornerSamples& corners, Part (Shading::*of)() const) {
-    const auto part = [&](std::size_t corner) { return (corners[corner].shading.*of)(); };
-    return ((part(0) + part(3)) + (part(1) + part(2))) / 4.0;
-  }
-  static glm::dvec3 lit(const glm::dvec3& color, const glm::dvec3& light) {
-    return glm::min(color * light, glm::dvec3(max_color));
-  }
+  /// The same under a list of lights; apart, so that the others stay short.
+  FixedColor lit(const CornerSamples& corners) const;
+  FixedColor lit(const Sample& sample, std::int64_t quarters) const;
+
   /// color * shading, rounded to a multiple of 2^-48, times quarters / 4.
   static FixedColor fixed(const glm::dvec3& color, double shading, std::int64_t quarters) {
     constexpr double unit = 1LL << (fixed_color_bits - 2);
