@@ -39,7 +39,7 @@ def as_rows(samples, columns):
 
 
 def number_of(color):
-    """The object that id_color() says, 0 for none: bits are dealt out to red, green and blue, the highest place first."""
+    """The object that id_color() says, 0 for none: its bits are dealt out to red, green and blue from the highest down."""
     levels = [round(component * 255) for component in color]
     return sum((levels[bit % 3] >> (7 - bit // 3) & 1) << bit for bit in range(24))
 
@@ -97,7 +97,8 @@ class RandomScene:
             "camera": {"position": self.eye, "look_at": [e + f for e, f in zip(self.eye, self.forward)], "up": self.up,
                        "screen": {"columns": 64, "rows": 48, "horizontal_fov": self.between(30, 90)}},
             "background": [self.between(0, 1) for _ in range(3)],
-            "objects": [{"name": f"{kind} ü */ \\\n#error", "type": kind, **getattr(self, kind)(), "color": [self.between(0.2, 1) for _ in range(3)]}
+            "objects": [{"name": f"{kind} ü */ \\\n#error", "type": kind, **getattr(self, kind)(),
+                         "color": [self.between(0.2, 1) for _ in range(3)]}
                         for kind in kinds[: self.random.randrange(3, 15)]]}
         if self.chance(0.8):
             document["light"] = {"ambient": self.random.choice([0, 1, self.between(0, 1)]), "direction": self.vector(3)}
@@ -152,7 +153,8 @@ class RandomScene:
             clip = {"min": [p - self.between(0.5, 2) for p in c], "max": [p + self.between(0.5, 2) for p in c]}
         if self.chance():
             normal = self.vector(1)
-            clip["planes"] = [{"normal": normal, "offset": sum(n * p for n, p in zip(normal, c)) + self.between(0, 0.5)}]
+            offset = sum(n * p for n, p in zip(normal, c)) + self.between(0, 0.5)
+            clip["planes"] = [{"normal": normal, "offset": offset}]
         coefficients = {"xx": xx, "yy": yy, "zz": zz, "xy": xy, "xz": xz, "yz": yz, "x": x, "y": y, "z": z,
                         "constant": constant}
         return {"coefficients": coefficients, "clip": clip, "capped": self.chance()}
