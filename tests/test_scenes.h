@@ -82,7 +82,7 @@ inline SceneSurface random_quadric(std::mt19937_64& random, const glm::dvec3& mi
 inline Scene random_scene(std::uint64_t seed, const RandomContents& contents, int columns, int rows) {
   std::mt19937_64 random(seed);
   Scene scene = empty_scene(columns, rows, 1.2 / columns);
-  scene.light = Light{0.25, {0.6, -1, 0.4}};
+  scene.light = SingleLight{0.25, {0.6, -1, 0.4}};
   const auto color = [&] { return random_vector(random, {0, 0, 0}, {1, 1, 1}); };
   const auto place = [&] { return random_vector(random, {3, -3, -4}, {12, 3, 4}); };
   for (int k = 0; k < contents.spheres; ++k) {

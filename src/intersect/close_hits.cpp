@@ -5,7 +5,7 @@
 
 namespace pyrasim {
 
-template Sample nearest_of_close_hits(const PreparedScene<double>&, const Vector<double>&, std::int32_t, const Work&,
+template Sample nearest_of_close_hits(const PreparedScene<double>&, const Vector<double>&, std::int32_t, const Tests&,
                                       Work&);
 
 }  // namespace pyrasim

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <span>
 #include <system_error>
 
 namespace pyrasim {
@@ -27,7 +26,12 @@ CornersAhead::CornersAhead(const Intersector& intersector, const ViewVectors& vi
       rows_(window.rows + 1),
       overlap_(static_cast<std::int64_t>(out_of_order) / (window.columns + 1) + 1),
       kept_(static_cast<std::size_t>(overlap_ + std::max(corners_ahead / (window.columns + 1), least_rows_ahead))) {
-  for (Row& row : kept_) row.corners.resize(static_cast<std::size_t>(window.columns) + 1 + corners_fetched_ahead);
+  const std::size_t corners = static_cast<std::size_t>(window.columns) + 1;
+  const bool has_shadows = intersector.contents().lights_with_shadows > 0;
+  for (Row& row : kept_) {
+    row.corners.resize(corners + corners_fetched_ahead);
+    if (has_shadows) row.shadows.resize(corners);
+  }
   try {
     thread_ = std::jthread([this] { run(); });
   } catch (const std::system_error&) {  // no thread to be had: all corners are traced by who asks
@@ -57,13 +61,15 @@ void CornersAhead::trace_row(std::int64_t number) {
   Row& row = kept_[static_cast<std::size_t>(number) % kept_.size()];
   row.number = -1;
   GridPoint point{first_.row + static_cast<std::uint32_t>(number) * steps_, first_.column};
-  for (Corner& corner : std::span(row.corners).first(row.corners.size() - corners_fetched_ahead)) {
+  for (std::size_t k = 0; k + corners_fetched_ahead < row.corners.size(); ++k) {
+    Corner& corner = row.corners[k];
     Work work;
     const Sample sample = intersector_.intersect(view_vectors_(point), work);
     corner = {sample, static_cast<std::uint32_t>(work.box_tests), {}};
     for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
       corner.surface_tests[kind] = static_cast<std::uint32_t>(work.surface_tests[kind]);
     }
+    if (!row.shadows.empty()) row.shadows[k] = work.shadow;
     point.column += steps_;
   }
   row.number = number;
@@ -77,17 +83,20 @@ bool CornersAhead::open_row(std::int64_t number) {
   const Row& row = kept_[static_cast<std::size_t>(number) % kept_.size()];
   if (row.number.load(std::memory_order_acquire) != number) return false;
   open_number_ = number;
-  open_corners_ = row.corners.data();
+  open_row_ = &row;
   return true;
 }
 
 Sample CornersAhead::trace(GridPoint point, const glm::dvec3& view_vector, Work& work) {
   const std::int64_t number = (point.row - first_.row) >> log2_steps_;
   if (number != open_number_ && !open_row(number)) return intersector_.intersect(view_vector, work);
-  const Corner& corner = open_corners_[(point.column - first_.column) >> log2_steps_];
+  const std::size_t column = (point.column - first_.column) >> log2_steps_;
+  const Corner& corner = open_row_->corners[column];
   __builtin_prefetch(&corner + corners_fetched_ahead);
   work.box_tests += corner.box_tests;
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) work.surface_tests[kind] += corner.surface_tests[kind];
+  if (!open_row_->shadows.empty()) [[unlikely]]
+    work.shadow += open_row_->shadows[column];
   return corner.sample;
 }
 

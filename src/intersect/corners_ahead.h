@@ -42,6 +42,7 @@ class CornersAhead {
   struct Row {
     std::atomic<std::int64_t> number{-1};  ///< of the row of corners that is here, complete; -1: none
     std::vector<Corner> corners;           ///< and some unused ones behind, to be fetched in vain
+    std::vector<ShadowWork> shadows;       ///< of each corner; empty where no light has shadows
   };
 
   void run();
@@ -61,7 +62,7 @@ class CornersAhead {
   std::vector<Row> kept_;                ///< a ring
   std::atomic<std::int64_t> newest_{0};  ///< row asked for; past all rows to stop
   std::int64_t open_number_ = -1;        ///< of the row that was read last, while it was complete
-  const Corner* open_corners_ = nullptr;
+  const Row* open_row_ = nullptr;
   std::jthread thread_;
 };
 

@@ -29,17 +29,22 @@ class GeneralScene {
   GeneralScene(const PreparedScene<Scalar>& scene, const RayBoxes& boxes) : scene_(scene), boxes_(boxes) {}
 
   /// The hit of the least t within the ray's limit.
-  std::optional<GeneralHit> nearest(const GeneralRay& ray, Work& work) const {
+  std::optional<GeneralHit> nearest(const GeneralRay& ray, Tests& work) const {
     Nearest sought{{boxes_, scene_.nodes.data(), ray}};
     walk(sought, work);
     return sought.hit;
   }
 
-  /// Whether there is a hit within the ray's limit. The walk ends at the first.
-  bool any(const GeneralRay& ray, Work& work) const {
-    Any sought{{boxes_, scene_.nodes.data(), ray}};
+  /// Whether there is a hit within the ray's limit that counts(kind, index, t) says counts. The walk ends at the first.
+  template <class Counts>
+  bool any(const GeneralRay& ray, const Counts& counts, Tests& work) const {
+    Any<Counts> sought{{boxes_, scene_.nodes.data(), ray}, counts};
     walk(sought, work);
     return sought.met_one;
+  }
+  bool any(const GeneralRay& ray, Tests& work) const {
+    return any(
+        ray, [](auto, std::uint32_t, double) { return true; }, work);
   }
 
  private:
@@ -57,22 +62,26 @@ class GeneralScene {
 
     bool over() const { return false; }
     bool behind(const WideNode<Scalar>&, std::size_t) const { return false; }
-    void enter(double t, const SurfaceIdentity& surface) {
+    void enter(auto, std::uint32_t, double t, const SurfaceIdentity& surface) {
       if (t > this->ray.limit || (hit && t == hit->t && hit->surface.order < surface.order)) return;
       hit = GeneralHit{t, surface};
       this->ray.limit = t;
     }
   };
+  template <class Counts>
   struct Any : Boxes {
+    const Counts& counts;
     bool met_one = false;
 
     bool over() const { return met_one; }
     bool behind(const WideNode<Scalar>&, std::size_t) const { return met_one; }
-    void enter(double t, const SurfaceIdentity&) { met_one = met_one || t <= this->ray.limit; }
+    void enter(auto kind, std::uint32_t index, double t, const SurfaceIdentity&) {
+      met_one = met_one || (t <= this->ray.limit && counts(kind, index, t));
+    }
   };
 
   template <class Sought>
-  void walk(Sought& sought, Work& work) const {
+  void walk(Sought& sought, Tests& work) const {
     const FormatScope<Scalar> scope(scene_.numbers);
     const Vector<Scalar> origin = to_scalar<Scalar>(sought.ray.origin);
     const ViewRay<Scalar> moved(to_scalar<Scalar>(sought.ray.direction));
@@ -83,7 +92,7 @@ class GeneralScene {
 
   template <class Sought>
   void test_leaf(std::int32_t leaf, const Vector<Scalar>& origin, const ViewRay<Scalar>& moved, Sought& sought,
-                 Work& work) const {
+                 Tests& work) const {
     const SurfaceRun* run = first_run(scene_.runs, leaf);
     do {
       with_kind(run->kind, [&](auto kind) {
@@ -93,7 +102,7 @@ class GeneralScene {
           const Surface& surface = std::get<kind>(scene_.kinds).surfaces[k];
           const Scalar t = surface.seen_from(origin).intersect(terms);
           ++work.surface_tests[kind];
-          if (t > Scalar(0)) sought.enter(static_cast<double>(t), surface.identity);
+          if (t > Scalar(0)) sought.enter(kind, k, static_cast<double>(t), surface.identity);
         }
       });
     } while (run++->more && !sought.over());

@@ -21,7 +21,7 @@ int largest_exponent(const NumberFormat& format) {
   return std::min((integer_bits(format) - 4) / 3, enough);
 }
 
-Lighting<double> lighting_of(const std::optional<Light>& light, const ObserverFrame& frame) {
+Lighting<double> lighting_of(const std::optional<SingleLight>& light, const ObserverFrame& frame) {
   if (!light) return {};
   return {true, light->ambient, -normalized(frame.direction(light->direction))};
 }

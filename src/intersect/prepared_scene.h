@@ -54,6 +54,9 @@ struct SurfaceRun {
   double relative_error;  ///< the largest of the leaf's surfaces', distance_range.h
 };
 
+template <class Scalar>
+class Illumination;
+
 /// A scene made ready for a datapath of one number format: in observer's coordinates, multiplied by a power of two that
 /// suits the format, and rounded once to `Scalar`; with a bounding volume hierarchy over its bounded surfaces. Those
 /// without bounds stand apart.
@@ -68,6 +71,7 @@ struct PreparedScene {
   std::optional<std::int32_t> apart;  ///< likewise, a leaf of the others, if there are any
   SurfaceStore<Scalar> kinds;         ///< of each those apart first, then in the order of leaves
   Lighting<Scalar> lighting;
+  const Illumination<Scalar>* illumination = nullptr;  ///< where the scene has a list of lights
   int exponent = 0;                                                ///< lengths are the scene's times 2^exponent
   RoundingUnits rounding;                                          ///< of the format
   ScalarFormat<Scalar> numbers = ScalarFormat<Scalar>::current();  ///< the format, as computing in it takes it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "intersect/illumination.h"
 #include "intersect/intersector.h"
 #include "intersect/prepared_scene.h"
 #include "intersect/rounded_scene.h"
@@ -20,18 +21,23 @@ class SceneIntersector final : public Intersector {
     SceneContents contents;
     for_each_kind([&](auto kind) { contents.surfaces[kind] = std::get<kind>(scene_.kinds).surfaces.size(); });
     contents.inner_nodes = scene_.nodes.size();
+    contents.lights_with_shadows = illumination_ ? illumination_->lights_with_shadows() : 0;
     return contents;
   }
   const PreparedScene<Scalar>& scene() const { return scene_; }
 
  private:
   PreparedScene<Scalar> scene_;
+  std::optional<Illumination<Scalar>> illumination_;
 };
 
 template <class Scalar>
-SceneIntersector<Scalar>::SceneIntersector(const Scene& scene, Search search)
-    : scene_(rounded<Scalar>(prepare_scene(scene, format_of<Scalar>()))) {
-  if (search == Search::exhaustive) scene_.root = scene_.everything;
+SceneIntersector<Scalar>::SceneIntersector(const Scene& scene, Search search) {
+  PreparedScene<double> prepared = prepare_scene(scene, format_of<Scalar>());
+  if (search == Search::exhaustive) prepared.root = prepared.everything;
+  if (scene.lights) illumination_.emplace(scene, prepared, scene_);
+  scene_ = rounded<Scalar>(std::move(prepared));
+  if (illumination_) scene_.illumination = &*illumination_;
 }
 
 template <class Scalar>

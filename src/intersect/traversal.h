@@ -18,7 +18,7 @@ namespace pyrasim {
 /// Inlined by force: kept in registers, the state of a walk costs a third less time than in memory.
 template <class Node, class Query, class Leaf>
 [[gnu::always_inline]] inline void traverse(const Node* nodes, std::int32_t root, const Query& query, const Leaf& leaf,
-                                            Work& work) {
+                                            Tests& work) {
   struct Pending {
     const Node* node;
     unsigned met;  ///< the children that wait

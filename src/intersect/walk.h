@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "intersect/box_test.h"
+#include "intersect/illumination.h"
 #include "intersect/prepared_scene.h"
 #include "intersect/standing.h"
 #include "intersect/traversal.h"
@@ -19,14 +20,15 @@ namespace pyrasim {
 /// What the ray sees of the surface that it met, if any.
 template <class Scalar>
 [[gnu::always_inline]] inline Sample shade(const PreparedScene<Scalar>& scene, const Vector<Scalar>& direction,
-                                           const Hit<Scalar>* hit) {
+                                           const Hit<Scalar>* hit, ShadowWork& work) {
   if (hit == nullptr) return {};
+  if (scene.illumination != nullptr) return scene.illumination->sample(direction, *hit, work);
   return with_kind(
       hit->kind, [&](auto kind) __attribute__((always_inline)) {
         const auto& [surfaces, shading] = std::get<kind>(scene.kinds);
         const auto& surface = surfaces[hit->index];
         const Scalar seen = surface.shade(shading[hit->index], scene.lighting, direction, hit->t);
-        return Sample{{surface.identity.object}, static_cast<double>(seen)};
+        return Sample{{surface.identity.object}, Shading(static_cast<double>(seen))};
       });
 }
 
@@ -108,22 +110,22 @@ class Walk {
   DepthLimit<Scalar> depth_limit_ = std::numeric_limits<DepthLimit<Scalar>>::infinity();  ///< boxes beyond are behind
 };
 
-/// What the ray sees among the surfaces without bounds and those below `root` (as Node::child). `work` becomes `before`
-/// and the tests made.
+/// What the ray sees among the surfaces without bounds and those below `root` (as Node::child). The tests in `work`
+/// become `before` and those made.
 template <class Scalar>
 Sample nearest_of_close_hits(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector, std::int32_t root,
-                             const Work& before, Work& work) {
-  work = before;
+                             const Tests& before, Work& work) {
+  static_cast<Tests&>(work) = before;
   CloseStanding<Scalar> standing(scene, view_vector);
   Walk<Scalar, CloseStanding<Scalar>> walk(scene, view_vector, work, standing);
   do {
     walk.go(root);
   } while (standing.repeats());
-  return shade(scene, view_vector, standing.leader());
+  return shade(scene, view_vector, standing.leader(), work.shadow);
 }
 
 extern template Sample nearest_of_close_hits(const PreparedScene<double>&, const Vector<double>&, std::int32_t,
-                                             const Work&, Work&);
+                                             const Tests&, Work&);
 
 /// The same; adds the tests made to `work`. Nearly all rays of nearly all scenes meet surfaces that lie clearly apart;
 /// whoever does not starts again. That pays in double, where errors are so small that hardly a box lies between what is
@@ -131,13 +133,13 @@ extern template Sample nearest_of_close_hits(const PreparedScene<double>&, const
 template <class Scalar>
 [[gnu::always_inline]] inline Sample nearest_hit(const PreparedScene<Scalar>& scene, const Vector<Scalar>& view_vector,
                                                  std::int32_t root, Work& work) {
-  const Work before = work;
+  const Tests before = work;
   if constexpr (std::is_same_v<Scalar, double>) {
     ClearStanding<Scalar> standing;
     Walk<Scalar, ClearStanding<Scalar>> walk(scene, view_vector, work, standing);
     walk.go(root);
     if (!standing.undecided()) [[likely]]
-      return shade(scene, view_vector, standing.leader());
+      return shade(scene, view_vector, standing.leader(), work.shadow);
   }
   return nearest_of_close_hits(scene, view_vector, root, before, work);
 }

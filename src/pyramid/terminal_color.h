@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <vector>
 
 #include "pyramid/classifier.h"
@@ -30,6 +31,7 @@ class Palette {
     for (const Object& object : scene.objects) colors_.push_back(object.color);
     background_ = fixed(scene.background, 1, 4);
     background_color_ = scene.background;
+    lights_ = scene.lights.has_value();
   }
 
   /// The integral colour over the pyramid (decision D6): for case 2 the object's colour times the mean shading of the
@@ -37,9 +39,9 @@ class Palette {
   /// summed first: the mean of a mirrored or transposed pixel is the same, bit for bit.
   FixedColor terminal_color(PyramidCase which, const CornerSamples& corners, EdgePolicy edge) const {
     if (which == PyramidCase::covered) {
-      const double shading =
-          ((corners[0].shading + corners[3].shading) + (corners[1].shading + corners[2].shading)) / 4;
-      return fixed(colors_[corners[0].seen.object], shading, 4);
+      const glm::dvec3& color = colors_[corners[0].seen.object];
+      if (lights_) return fixed(lit(color, mean(corners, &Shading::light)), 1, 4);
+      return fixed(color, mean(corners, &Shading::factor), 4);
     }
     if (which == PyramidCase::empty || edge == EdgePolicy::drop) return background_;
     FixedColor sum{};
@@ -53,10 +55,20 @@ class Palette {
   /// The colour of one sample, times `quarters` / 4.
   FixedColor sample_color(const Sample& sample, std::int64_t quarters = 4) const {
     if (sample.seen.object == no_object) return fixed(background_color_, 1, quarters);
-    return fixed(colors_[sample.seen.object], sample.shading, quarters);
+    const glm::dvec3& color = colors_[sample.seen.object];
+    if (lights_) return fixed(lit(color, sample.shading.light()), 1, quarters);
+    return fixed(color, sample.shading.factor(), quarters);
   }
 
  private:
+  template <class Part>
+  static Part mean(const CornerSamples& corners, Part (Shading::*of)() const) {
+    const auto part = [&](std::size_t corner) { return (corners[corner].shading.*of)(); };
+    return ((part(0) + part(3)) + (part(1) + part(2))) / 4.0;
+  }
+  static glm::dvec3 lit(const glm::dvec3& color, const glm::dvec3& light) {
+    return glm::min(color * light, glm::dvec3(max_color));
+  }
   /// color * shading, rounded to a multiple of 2^-48, times quarters / 4.
   static FixedColor fixed(const glm::dvec3& color, double shading, std::int64_t quarters) {
     constexpr double unit = 1LL << (fixed_color_bits - 2);
@@ -67,6 +79,7 @@ class Palette {
   std::vector<glm::dvec3> colors_;
   FixedColor background_{};
   glm::dvec3 background_color_{};
+  bool lights_ = false;  ///< the scene has a list of them
 };
 
 }  // namespace pyrasim

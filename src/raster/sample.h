@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "raster/shading.h"
+
 namespace pyrasim {
 
 inline constexpr std::uint32_t no_object = 0xFFFFFFFFU;
@@ -17,7 +19,7 @@ struct Seen {
 /// What a ray brings back. Two words, which a function returns in registers.
 struct Sample {
   Seen seen;
-  double shading = 1;  ///< factor on the object's colour, 0 to 1
+  Shading shading;
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 

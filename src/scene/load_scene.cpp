@@ -22,8 +22,6 @@ namespace {
 /// The smallest angle between the viewing direction and `up`, radians.
 constexpr double min_up_angle = 1e-9;
 
-constexpr NumberRange color_components{0, max_color};
-
 /// dx, dy and dz from the angle between the screen's left and right sides.
 void apply_field_of_view(const JsonReader& reader, Screen& screen) {
   const double degrees = reader.number({0, 180, true});
@@ -82,9 +80,9 @@ Camera read_camera(const JsonReader& reader) {
   return camera;
 }
 
-Light read_light(const JsonReader& reader) {
+SingleLight read_light(const JsonReader& reader) {
   reader.allow_keys({"ambient", "direction"});
-  Light light;
+  SingleLight light;
   light.ambient = reader.optional_number("ambient", {0, 1}).value_or(light.ambient);
   light.direction = read_direction(reader.member("direction"));
   return light;
@@ -96,7 +94,7 @@ SceneSurface read_surface(const JsonReader& reader, const SceneReading& reading)
     using Read = SceneSurface (*)(const JsonReader&, const SceneReading&);
     const Read chosen = reader.member("type").choice<Read>(
         {{Description::type, [](const JsonReader& object, const SceneReading& with) {
-            std::vector<std::string_view> keys{"name", "type", "color"};
+            std::vector<std::string_view> keys{"name", "type", "color", "shadow"};
             keys.insert(keys.end(), Description::keys.begin(), Description::keys.end());
             object.allow_keys(keys);
             return SceneSurface(Description::read(object, with));
@@ -109,7 +107,7 @@ SceneSurface read_surface(const JsonReader& reader, const SceneReading& reading)
 Object read_object(const JsonReader& reader, const SceneReading& reading) {
   SceneSurface surface = read_surface(reader, reading);
   return {reader.optional_string("name").value_or(""), reader.member("color").vec3(color_components),
-          std::move(surface)};
+          std::move(surface), reader.optional_boolean("shadow").value_or(true)};
 }
 
 /// Where the meshes of the scene in `file` are looked for. The folders of open files hold nothing else.
@@ -126,11 +124,15 @@ Scene load_scene(const std::filesystem::path& file) { return read_scene(file, re
 
 Scene read_scene(const std::filesystem::path& file, const nlohmann::json& document) {
   const JsonReader root(file.string(), document);
-  root.allow_keys({"camera", "background", "light", "objects"});
+  root.allow_keys({"camera", "background", "light", "lights", "objects"});
   Scene scene;
   scene.camera = read_camera(root.member("camera"));
   scene.background = root.optional_vec3("background", color_components).value_or(scene.background);
   if (const auto light = root.find("light")) scene.light = read_light(*light);
+  if (const auto lights = root.find("lights")) {
+    if (scene.light) lights->fail("it is given beside light", "either light or lights is allowed");
+    scene.lights = read_lights(*lights);
+  }
   scene.files.push_back(file.string());
   const SceneReading reading{folder_of_meshes(file), scene.warnings, scene.files};
   for (const JsonReader& reader : root.member("objects").elements()) {

@@ -8,12 +8,15 @@
 #include <vector>
 
 #include "camera/camera.h"
+#include "shading/color.h"
+#include "shading/light.h"
 #include "surface/list.h"
 
 namespace pyrasim {
 
-/// One directional light, without shadows.
-struct Light {
+/// The older form: one directional light without shadows, and the share that comes from everywhere. It is computed in the
+/// datapath's number format; lights of a list are, in double, from the place that the datapath found.
+struct SingleLight {
   double ambient = 0;              ///< share of light that arrives from everywhere, 0 to 1
   glm::dvec3 direction{0, -1, 0};  ///< the way the light travels, any length but zero
 };
@@ -23,15 +26,15 @@ struct Object {
   std::string name;  ///< may be empty
   glm::dvec3 color;  ///< linear RGB
   SceneSurface surface;
+  bool casts_shadow = true;
 };
-
-/// The largest value of a colour component.
-inline constexpr double max_color = 4096;
 
 struct Scene {
   Camera camera;
   glm::dvec3 background{0, 0, 0};  ///< linear RGB
-  std::optional<Light> light;      ///< absent: colours are emitted as they are
+  /// One of both, or neither: then colours are emitted as they are.
+  std::optional<SingleLight> light;
+  std::optional<std::vector<Light>> lights;
   std::vector<Object> objects;
   std::vector<std::string> warnings;  ///< one line each, for stderr
   std::vector<std::string> files;     ///< that it was read from: the scene's own, then its meshes'

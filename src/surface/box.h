@@ -43,7 +43,7 @@ struct BoxShading {
 /// The surface of what three slabs have in common.
 template <class Scalar>
 struct BoxSurface {
-  static constexpr SurfaceTraits traits{.name = "box", .default_cost = 3, .extent = Extent::bounded};
+  static constexpr SurfaceTraits traits{.name = "box", .default_cost = 3, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
   using Terms = const ViewRay<Scalar>&;
   using Shading = BoxShading<Scalar>;
 
@@ -52,6 +52,7 @@ struct BoxSurface {
 
   Scalar intersect(const ViewRay<Scalar>& ray) const;
   Scalar shade(const Shading& shading, const Lighting<Scalar>&, const Vector<Scalar>& direction, Scalar t) const;
+  Vector<Scalar> outward(const Shading& shading, const Vector<Scalar>& direction, Scalar t) const;
 
   /// The same surface for rays that start at `place` instead of the origin.
   BoxSurface seen_from(const Vector<Scalar>& place) const {
@@ -143,6 +144,24 @@ Scalar BoxSurface<Scalar>::shade(const Shading& shading, const Lighting<Scalar>&
     brightest = std::max(brightest, shading.faces[k].seen_along(direction));
   }
   return brightest;
+}
+
+/// That of the face whose plane the ray meets at t; on an edge the one that the ray meets at the steeper angle.
+template <class Scalar>
+Vector<Scalar> BoxSurface<Scalar>::outward(const Shading& shading, const Vector<Scalar>& direction, Scalar t) const {
+  Scalar steepest{-1};
+  Vector<Scalar> normal{0, 0, 0};
+  for (std::size_t k = 0; k < slabs.size(); ++k) {
+    const SlabPassage<Scalar> passage(slabs[k], direction);
+    if (passage.parallel || (passage.enter != t && passage.leave != t)) continue;
+    const Vector<Scalar>& upper = shading.faces[k].normal;
+    const Scalar along = dot(upper, direction);
+    const Scalar steep = along < Scalar(0) ? -along : along;
+    if (!(steep > steepest)) continue;
+    steepest = steep;
+    normal = (along > Scalar(0)) == (t == passage.leave) ? upper : -upper;
+  }
+  return normal;
 }
 
 }  // namespace pyrasim

@@ -59,10 +59,16 @@ Vector<double> in_double(const Vector<From>& v) {
   return ToFormat<double>()(v, 0);
 }
 
-/// `surface` as distance_range() asks for it, exactly.
+/// `surface`, or its shading, as double holds it: exactly.
 template <template <class> class Surface, class From>
 Surface<double> in_double(const Surface<From>& surface) {
   return rounded<double>(surface);
 }
+template <template <class> class Surface>
+const Surface<double>& in_double(const Surface<double>& surface) {
+  return surface;
+}
+template <template <class> class Surface>
+const Surface<double>& in_double(const Surface<double>&& surface) = delete;
 
 }  // namespace pyrasim

@@ -18,7 +18,7 @@ namespace pyrasim {
 /// The points p of a plane, normal . p = offset, with |p - center| <= radius.
 template <class Scalar>
 struct DiscSurface {
-  static constexpr SurfaceTraits traits{.name = "disc", .default_cost = 2, .extent = Extent::bounded};
+  static constexpr SurfaceTraits traits{.name = "disc", .default_cost = 2, .extent = Extent::bounded, .meets_itself = MeetsItself::never};
   using Terms = const ViewRay<Scalar>&;
   using Shading = FlatShading<Scalar>;
 
@@ -32,6 +32,7 @@ struct DiscSurface {
   Scalar shade(const Shading& shading, const Lighting<Scalar>&, const Vector<Scalar>& direction, Scalar) const {
     return shading.seen_along(direction);
   }
+  Vector<Scalar> outward(const Shading& shading, const Vector<Scalar>&, Scalar) const { return shading.normal; }
 
   /// The same surface for rays that start at `place` instead of the origin.
   DiscSurface seen_from(const Vector<Scalar>& place) const {

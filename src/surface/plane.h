@@ -20,7 +20,7 @@ namespace pyrasim {
 /// The points p with normal . p = offset.
 template <class Scalar>
 struct PlaneSurface {
-  static constexpr SurfaceTraits traits{.name = "plane", .default_cost = 1, .extent = Extent::unbounded};
+  static constexpr SurfaceTraits traits{.name = "plane", .default_cost = 1, .extent = Extent::unbounded, .meets_itself = MeetsItself::never};
   using Terms = const ViewRay<Scalar>&;
   using Shading = FlatShading<Scalar>;
 
@@ -33,6 +33,7 @@ struct PlaneSurface {
   Scalar shade(const Shading& shading, const Lighting<Scalar>&, const Vector<Scalar>& direction, Scalar) const {
     return shading.seen_along(direction);
   }
+  Vector<Scalar> outward(const Shading& shading, const Vector<Scalar>&, Scalar) const { return shading.normal; }
 
   /// The same surface for rays that start at `place` instead of the origin.
   PlaneSurface seen_from(const Vector<Scalar>& place) const {

@@ -141,9 +141,12 @@ struct QuadricSurfaceBase {
   SurfaceIdentity identity{};
 
   Scalar intersect(const ViewRay<Scalar>& ray) const { return shape.intersect(ray.direction); }
-  Vector<Scalar> normal(const Vector<Scalar>& direction, Scalar t) const { return shape.normal(direction, t); }
-  Scalar shade(const Shading&, const Lighting<Scalar>& lighting, const Vector<Scalar>& direction, Scalar t) const {
-    return lighting.lit ? lambert_of_curved(lighting, normal(direction, t), direction) : Scalar(1);
+  Vector<Scalar> outward(const Shading&, const Vector<Scalar>& direction, Scalar t) const {
+    return shape.normal(direction, t);
+  }
+  Scalar shade(const Shading& shading, const Lighting<Scalar>& lighting, const Vector<Scalar>& direction,
+               Scalar t) const {
+    return lighting.lit ? lambert_of_curved(lighting, outward(shading, direction, t), direction) : Scalar(1);
   }
 
   /// The same surface for rays that start at `place` instead of the origin.

@@ -17,7 +17,7 @@ namespace pyrasim {
 
 template <class Scalar>
 struct SphereSurface {
-  static constexpr SurfaceTraits traits{.name = "sphere", .default_cost = 2, .extent = Extent::bounded};
+  static constexpr SurfaceTraits traits{.name = "sphere", .default_cost = 2, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
   using Terms = const ViewRay<Scalar>&;
   using Shading = NoShading<Scalar>;
 
@@ -29,6 +29,9 @@ struct SphereSurface {
 
   Scalar intersect(const ViewRay<Scalar>& ray) const;
   Scalar shade(const Shading&, const Lighting<Scalar>& lighting, const Vector<Scalar>& direction, Scalar t) const;
+  Vector<Scalar> outward(const Shading&, const Vector<Scalar>& direction, Scalar t) const {
+    return direction * t - center;
+  }
 
   /// The same surface for rays that start at `place` instead of the origin.
   SphereSurface seen_from(const Vector<Scalar>& place) const {
@@ -98,9 +101,8 @@ template <class Scalar>
 Scalar SphereSurface<Scalar>::shade(const Shading&, const Lighting<Scalar>& lighting, const Vector<Scalar>& direction,
                                     Scalar t) const {
   if (!lighting.lit) return Scalar(1);
-  const Vector<Scalar> outward = direction * t - center;
   const Scalar side = power < Scalar(0) ? -radius : radius;
-  const Scalar cosine = dot(outward, lighting.towards_light) / side;
+  const Scalar cosine = dot(outward({}, direction, t), lighting.towards_light) / side;
   return lambert(lighting, std::min(std::max(Scalar(0), cosine), Scalar(1)));
 }
 

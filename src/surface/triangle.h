@@ -48,7 +48,7 @@ struct TriangleShear {
 
 template <class Scalar>
 struct TriangleSurface {
-  static constexpr SurfaceTraits traits{.name = "triangle", .default_cost = 3, .extent = Extent::bounded};
+  static constexpr SurfaceTraits traits{.name = "triangle", .default_cost = 3, .extent = Extent::bounded, .meets_itself = MeetsItself::never};
   using Terms = TriangleShear<Scalar>;
   using Shading = FlatShading<Scalar>;
 
@@ -59,6 +59,7 @@ struct TriangleSurface {
   Scalar shade(const Shading& shading, const Lighting<Scalar>&, const Vector<Scalar>& direction, Scalar) const {
     return shading.seen_along(direction);
   }
+  Vector<Scalar> outward(const Shading& shading, const Vector<Scalar>&, Scalar) const { return shading.normal; }
 
   /// The same surface for rays that start at `place` instead of the origin.
   TriangleSurface seen_from(const Vector<Scalar>& place) const {

@@ -159,19 +159,19 @@ TYPED_TEST(SceneIntersectorOf, MeshIsOneObject) {
 
 TYPED_TEST(SceneIntersectorOf, LambertShadingByHand) {
   Scene scene = empty_scene(1, 1, 1);
-  scene.light = Light{0.25, {2, 0, 0}};  // from behind the observer
+  scene.light = SingleLight{0.25, {2, 0, 0}};  // from behind the observer
   scene.objects = {object(Sphere{{5, 0, 0}, 1})};
-  EXPECT_NEAR(this->look(scene, {1, 0, 0}).shading, 1, 1e-6);
-  EXPECT_NEAR(this->look(scene, {4.2, 0, 0.6}).shading, 0.25 + 0.75 * 0.8, 1e-6);
+  EXPECT_NEAR(this->look(scene, {1, 0, 0}).shading.factor(), 1, 1e-6);
+  EXPECT_NEAR(this->look(scene, {4.2, 0, 0.6}).shading.factor(), 0.25 + 0.75 * 0.8, 1e-6);
   scene.light->direction = {-1, 0, 0};  // from the far side
-  EXPECT_NEAR(this->look(scene, {1, 0, 0}).shading, 0.25, 1e-6);
+  EXPECT_NEAR(this->look(scene, {1, 0, 0}).shading.factor(), 0.25, 1e-6);
   scene.objects = {object(Plane{{0, 1, 0}, -1})};
   scene.light->direction = {0, -3, -4};
-  EXPECT_NEAR(this->look(scene, {1, -1, 0}).shading, 0.25 + 0.75 * 0.6, 1e-6);
+  EXPECT_NEAR(this->look(scene, {1, -1, 0}).shading.factor(), 0.25 + 0.75 * 0.6, 1e-6);
   scene.objects = {object(Plane{{0, -2, 0}, 2})};  // the same plane, its normal away from the observer
-  EXPECT_NEAR(this->look(scene, {1, -1, 0}).shading, 0.25 + 0.75 * 0.6, 1e-6);
+  EXPECT_NEAR(this->look(scene, {1, -1, 0}).shading.factor(), 0.25 + 0.75 * 0.6, 1e-6);
   scene.light.reset();
-  EXPECT_EQ(this->look(scene, {1, -1, 0}).shading, 1);
+  EXPECT_EQ(this->look(scene, {1, -1, 0}).shading.factor(), 1);
 }
 
 TYPED_TEST(SceneIntersectorOf, WorkWithoutAHierarchy) {

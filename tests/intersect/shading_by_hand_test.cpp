@@ -26,15 +26,15 @@ class ShadingByHand : public testing::Test {
   /// What the ray along `direction`, in observer's coordinates, sees under each of the lights.
   static void expect_shading(Scene scene, const glm::dvec3& direction, const std::vector<Lighting>& lights) {
     for (const auto& [travels, shading] : lights) {
-      scene.light = Light{ambient, travels};
+      scene.light = SingleLight{ambient, travels};
       Work work;
       const Sample sample = SceneIntersector<Scalar>(scene).intersect(direction, work);
       EXPECT_EQ(sample.seen.object, 0U);
-      EXPECT_NEAR(sample.shading, shading, 1e-6) << travels.x << " " << travels.y << " " << travels.z;
+      EXPECT_NEAR(sample.shading.factor(), shading, 1e-6) << travels.x << " " << travels.y << " " << travels.z;
     }
     scene.light.reset();
     Work work;
-    EXPECT_EQ(SceneIntersector<Scalar>(scene).intersect(direction, work).shading, 1) << "without a light";
+    EXPECT_EQ(SceneIntersector<Scalar>(scene).intersect(direction, work).shading.factor(), 1) << "without a light";
   }
 };
 using Scalars = testing::Types<float, double>;
@@ -129,7 +129,7 @@ TYPED_TEST(ShadingByHand, SphereFromInside) {
 TEST(Shading, IsWhatThePictureShows) {
   Scene scene = empty_scene(1, 1, 0.01);
   scene.camera.look_at = inside;
-  scene.light = Light{ambient, {5, 0, 12}};
+  scene.light = SingleLight{ambient, {5, 0, 12}};
   for (const Object& triangle : the_triangle()) {
     scene.objects = {triangle};
     scene.objects[0].color = {1, 0.5, 0.125};

@@ -28,7 +28,7 @@ double hit(const Description& description, const glm::dvec3& direction, const gl
 template <class Description>
 glm::dvec3 normal(const Description& description, const glm::dvec3& direction) {
   const auto surface = seen(description);
-  return normalized(surface.normal(direction, surface.intersect(ViewRay<double>(direction))));
+  return normalized(surface.outward({}, direction, surface.intersect(ViewRay<double>(direction))));
 }
 
 const Ellipsoid egg{{8, 0, 0}, {2, 1, 4}};

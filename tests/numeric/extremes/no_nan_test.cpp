@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ExtremesNoNan, testing::Values("spheres", "fins
 TEST(ExtremesNoNanPixels, OfSurfacesThroughTheObserver) {
   for (const double half_width : {1e-6, 1.0, 100.0, 1e6}) {
     Scene scene = empty_scene(16, 16, half_width / 8);
-    scene.light = Light{0.25, {0.6, -1, 0.4}};
+    scene.light = SingleLight{0.25, {0.6, -1, 0.4}};
     for (const double size : {1e-30, 1e-6, 1.0, 1e6, 1e30}) {
       scene.objects.push_back(object(Sphere{{size, 0, 0}, size}));
       scene.objects.push_back(object(Sphere{{3 * size, 0, size}, size}));
@@ -60,7 +60,7 @@ TEST(ExtremesNoNanPixels, OfSurfacesThroughTheObserver) {
 /// Subnormal coordinates are read as they are: a triangle of 1e-310 is a small triangle, with a normal.
 TEST(ExtremesNoNanPixels, OfSubnormalTriangles) {
   Scene scene = empty_scene(16, 16, 0.1);
-  scene.light = Light{0.25, {0.6, -1, 0.4}};
+  scene.light = SingleLight{0.25, {0.6, -1, 0.4}};
   for (const double size : {1e-305, 1e-310, 4e-322}) {
     scene.objects = {object(Triangle{{{{size, -size, -size}, {size, size, -size}, {size, 0, size}}}})};
     const Image expected = picture(scene, {}, 0);

@@ -103,7 +103,7 @@ glm::dvec3 coarse(const glm::dvec3& v) {
 Scene moved_scene(const glm::dvec3& offset) {
   Random random(17);
   Scene scene = empty_scene(24, 18, 0.05);
-  scene.light = Light{0.25, {0.6, -1, 0.4}};
+  scene.light = SingleLight{0.25, {0.6, -1, 0.4}};
   scene.camera.position = offset + glm::dvec3(-1, 0.25, 0.5);
   scene.camera.look_at = offset + glm::dvec3(3, 0.125, 0.25);
   const auto place = [&] {

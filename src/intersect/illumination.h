@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// What reaches the place that a view ray meets from a list of lights (decision D5).
+//
+// The datapath says which surface it is, at what t, and what normal it has there, and follows the shadow rays, all in its
+// number format. The rest is worked out in double: a light that fades by 1 / d^2 has a range that a narrow fixed-point
+// format does not.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "intersect/general_walk.h"
+#include "intersect/margin.h"
+#include "intersect/standing.h"
+#include "raster/sample.h"
+#include "shading/incidence.h"
+
+namespace pyrasim {
+
+/// Holds a reference: `scene` must outlive it, and stay where it is.
+template <class Scalar>
+class Illumination {
+ public:
+  /// Where the scene has a list of lights. `scene` is `prepared` rounded to the format that is set; `description` is what
+  /// both were made from.
+  Illumination(const Scene& description, const PreparedScene<double>& prepared, const PreparedScene<Scalar>& scene);
+
+  std::size_t lights_with_shadows() const { return lights_.with_shadows(); }
+
+  /// The sample of a ray along `direction` that met `hit`; adds the shadow rays to `work`.
+  Sample sample(const Vector<Scalar>& direction, const Hit<Scalar>& hit, ShadowWork& work) const;
+
+ private:
+  /// A place on a surface, seen from one side.
+  struct Place {
+    glm::dvec3 position;
+    glm::dvec3 normal;  ///< on the viewer's side, of length 1
+    SurfaceKind kind;
+    std::uint32_t index;  ///< among the surfaces of its kind
+    std::uint32_t object;
+    bool may_meet_itself;  ///< a ray that leaves it on the viewer's side may meet the same surface
+  };
+
+  Place place_of(const Vector<Scalar>& direction, const Hit<Scalar>& hit) const;
+  bool in_shadow(const Place& place, const Incidence& incidence, Tests& tests) const;
+
+  PreparedLights lights_;
+  Margin margin_;
+  RayBoxes boxes_;
+  GeneralScene<Scalar> rays_;
+  const PreparedScene<Scalar>& scene_;
+  std::vector<bool> casts_shadow_;                          ///< by object
+  std::array<std::vector<double>, surface_kinds> margins_;  ///< how far from each surface a hit may lie; empty without shadows
+};
+
+extern template class Illumination<double>;
+extern template class Illumination<float>;
+extern template class Illumination<Flt>;
+extern template class Illumination<Fix>;
+
+}  // namespace pyrasim
