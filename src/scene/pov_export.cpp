@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "camera/observer_frame.h"
 #include "surface/pov_writer.h"
 #include "text/printable.h"
@@ -10,7 +12,7 @@
 namespace pyrasim {
 namespace {
 
-/// So far away is what shines from a direction. Without shadows it does not matter how far.
+/// So far away is what shines from a direction: within what POV-Ray sees, and beyond what is to cast shadows.
 constexpr double far_away = 1e6;
 
 /// The screen as three vectors, which say size and handedness.
@@ -22,17 +24,62 @@ void write_camera(PovWriter& pov, const Camera& camera) {
   pov.new_line();
 }
 
-/// Lambert's cosine law, ambient + (1 - ambient) cosine, on the side that is seen. All surfaces reflect all that
-/// arrives; what the ambient light adds is theirs.
-void write_light(PovWriter& pov, const std::optional<Light>& light) {
+/// A point light of POV-Ray fades by 2 / (1 + (d / near)^power): where d is far more, by a constant over d^power.
+constexpr double near = 1e-6;
+
+int power_of(Falloff falloff) { return falloff == Falloff::none ? 0 : falloff == Falloff::linear ? 1 : 2; }
+
+/// What surfaces reflect and add is said once for all of them; their cosine law, on the side that is seen, is
+/// POV-Ray's.
+void write_finish(PovWriter& pov, const glm::dvec3& ambient, double diffuse) {
   pov.begin("#default");
-  pov.object("finish", "ambient", light ? light->ambient : 1, "diffuse", light ? 1 : 0);
+  pov.object("finish", "ambient rgb", ambient, "diffuse", diffuse);
   pov.end();
   pov.new_line();
-  if (!light) return;
-  pov.object("light_source", normalized(light->direction) * -far_away, "rgb", 1 - light->ambient, "parallel point_at",
-             glm::dvec3(0), "shadowless");
+}
+
+void begin_light(PovWriter& pov, const glm::dvec3& place, const glm::dvec3& color, bool shadow) {
+  pov.begin("light_source");
+  pov.add(place, "rgb", color);
+  if (!shadow) pov.add("shadowless");
+}
+
+void end_light(PovWriter& pov) {
+  pov.end();
   pov.new_line();
+}
+
+/// It is in the finish.
+void write_light(PovWriter&, const AmbientLight&) {}
+
+void write_light(PovWriter& pov, const DirectionalLight& light) {
+  begin_light(pov, normalized(light.direction) * -far_away, light.color, light.shadow);
+  pov.add("parallel point_at", glm::dvec3(0));
+  end_light(pov);
+}
+
+void write_light(PovWriter& pov, const PointLight& light) {
+  const int power = power_of(light.falloff);
+  begin_light(pov, light.position, power == 0 ? light.color : light.color / (2 * std::pow(near, power)), light.shadow);
+  if (power != 0) pov.add("fade_distance", near, "fade_power", power);
+  end_light(pov);
+}
+
+void write_lights(PovWriter& pov, const std::vector<Light>& lights) {
+  glm::dvec3 ambient(0);
+  for (const Light& light : lights) {
+    if (const auto* its = std::get_if<AmbientLight>(&light)) ambient += its->color;
+  }
+  write_finish(pov, ambient, 1);
+  for (const Light& light : lights) std::visit([&](const auto& its) { write_light(pov, its); }, light);
+}
+
+/// The single light as two of a list: ambient + (1 - ambient) cosine.
+void write_lights(PovWriter& pov, const Scene& scene) {
+  if (scene.lights) return write_lights(pov, *scene.lights);
+  if (!scene.light) return write_finish(pov, glm::dvec3(1), 0);
+  const auto& [ambient, direction] = *scene.light;
+  write_lights(pov, {AmbientLight{glm::dvec3(ambient)}, DirectionalLight{direction, glm::dvec3(1 - ambient), false}});
 }
 
 void write_object(PovWriter& pov, std::size_t number, const Object& object, const glm::dvec3& color) {
@@ -41,6 +88,7 @@ void write_object(PovWriter& pov, std::size_t number, const Object& object, cons
   pov.begin("object");
   std::visit([&](const auto& surface) { surface.write_pov(pov); }, object.surface);
   pov.object("pigment", "rgb", color);
+  if (!object.casts_shadow) pov.add("no_shadow");
   pov.end();
   pov.new_line();
 }
@@ -70,7 +118,7 @@ std::string pov_scene(const Scene& scene, bool ids, const std::string& remark) {
   write_camera(pov, scene.camera);
   pov.object("background", "rgb", ids ? glm::dvec3(0) : scene.background);
   pov.new_line();
-  write_light(pov, ids ? std::nullopt : scene.light);
+  ids ? write_finish(pov, glm::dvec3(1), 0) : write_lights(pov, scene);
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     write_object(pov, k, scene.objects[k], ids ? id_color(k) : scene.objects[k].color);
   }

@@ -50,6 +50,27 @@ def numbered(document):
     return {"camera": document["camera"], "background": [0, 0, 0], "objects": objects}
 
 
+def in_light_and_shadow(document, chance):
+    """The same scene under a list of lights."""
+    def color():
+        return [chance.uniform(0, 0.6) for _ in range(3)]
+
+    def direction():
+        return [chance.uniform(-1, 1) for _ in range(3)]
+
+    eye, target = document["camera"]["position"], document["camera"]["look_at"]
+    lights = [{"type": "ambient", "color": [0.1, 0.2, 0.1], "intensity": chance.uniform(0, 1)}]
+    for falloff, strength in (("none", 1), ("linear", 4), ("quadratic", 30)):
+        ahead = chance.uniform(-2, 8)
+        place = [e + ahead * (t - e) + 4 * d for e, t, d in zip(eye, target, direction())]
+        lights.append({"type": "point", "position": place, "color": color(), "intensity": strength,
+                       "falloff": falloff, "shadow": chance.random() < 0.7})
+    for shadow in (True, False):
+        lights.append({"type": "directional", "direction": direction(), "color": color(), "shadow": shadow})
+    objects = [{**thing, "shadow": chance.random() < 0.8} for thing in document["objects"]]
+    return {**{key: value for key, value in document.items() if key != "light"}, "lights": lights, "objects": objects}
+
+
 def inside(ids, row, column):
     """Whether a pixel and its neighbours show one object."""
     around = {ids[r][c] for r in range(max(row - 1, 0), min(row + 2, len(ids)))
@@ -189,6 +210,15 @@ class Comparison:
         self.ids = [[round(color[0]) for color in row] for row in self.render(numbers)]
         self.pov_ids = [[number_of(color) for color in row] for row in self.export(scene, "--ids")]
         self.colors, self.pov_colors = self.render(scene), self.export(scene)
+        self.without_shadows = self.render(self.without(document, scene))
+
+    @staticmethod
+    def without(document, scene):
+        file = scene.with_name(scene.stem + "_unshadowed.json")
+        lights = {"lights": [{**light, "shadow": False} if light["type"] != "ambient" else light
+                             for light in document["lights"]]} if "lights" in document else {}
+        file.write_text(json.dumps({**document, **lights}))
+        return file
 
     def render(self, scene):
         picture = scene.with_suffix(".pfm")
@@ -230,7 +260,8 @@ def shipped():
 def randomly(folder):
     for seed in range(RANDOM_SCENES):
         scene = RandomScene(seed, folder)
-        yield scene.name, scene.document(), (64, 48)
+        document = scene.document()
+        yield scene.name, in_light_and_shadow(document, scene.random) if seed % 2 else document, (64, 48)
 
 
 class AgainstPovRay(tool.EndToEnd):
@@ -267,6 +298,12 @@ class AgainstPovRay(tool.EndToEnd):
         print("figure: pixels", seen)
         for surface, pixels in seen.items():
             self.assertGreater(pixels, 500, surface)
+
+    def test_shadows_are_seen(self):
+        shadowed = sum(scene.colors[row][column] != scene.without_shadows[row][column]
+                       for scene in self.scenes for row, column in scene.insides())
+        print("figure: pixels in shadow", shadowed)
+        self.assertGreater(shadowed, 5000)
 
     def test_mistakes(self):
         scene = self.write("scene.json", tool.scene())
