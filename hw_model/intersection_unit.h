@@ -6,6 +6,7 @@
 #include "hw_model/fifo/fifo_writer.h"
 #include "hw_model/message.h"
 #include "hw_model/plan/frame_setup.h"
+#include "hw_model/plan/tester_parts.h"
 #include "hw_model/stage/stage_of.h"
 #include "intersect/corners_ahead.h"
 #include "intersect/datapath_formats.h"
@@ -23,6 +24,7 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   IntersectionUnit(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
   const Work& work() const { return work_; }
+  std::vector<StagePart> parts() const { return tester_parts(intersector_.contents(), work_, cost_); }
   /// Of the arithmetic, where the constructor was told to count; costs a little.
   const ArithmeticEvents& events() const { return events_; }
   /// Takes corners that the host has traced before their time from there; none: traces all itself.

@@ -47,7 +47,6 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
   for_each_wire([&](const auto& plan) { connect(plan); });
   Fifo<SlotCredit>& slots = *the<PixelScan>().tree_accumulator;
   for (std::uint32_t slot = 0; slot < slots.depth(); ++slot) slots.preload({slot});
-  list_omitted_testers();
   if (options.engine == Engine::lockstep) {
     for (Stage* stage : stages_) stage->run_in_lockstep(control_);
     return;
@@ -96,10 +95,8 @@ Progress Processor::stopping(const Progress& progress) {
 
 template <class Stage>
 void Processor::build(const StagePlan<Stage>& plan, const FrameSetup& frame) {
-  if (const std::string_view reason = plan.left_out(frame); !reason.empty()) {
-    omitted_.push_back({std::string(plan.name), std::string(reason)});
-    return;
-  }
+  needs_.push_back(plan.need(frame));
+  if (!needs_.back().built) return;
   const std::size_t copies = plan.copies == nullptr ? 1 : spec_.*plan.copies;
   for (std::size_t k = 0; k < copies; ++k) {
     auto stage = std::make_unique<Stage>(name_of<Stage>(k).c_str(), frame);
@@ -129,16 +126,33 @@ void Processor::connect(const WirePlan<Out, Writer, In, Reader>& plan) {
   }
 }
 
-/// Parts of the intersection units.
-void Processor::list_omitted_testers() {
-  if (contents_.inner_nodes == 0) {
-    omitted_.push_back({"intersection_unit.hierarchy_walker", "the scene has fewer than two bounded surfaces"});
+template <class Stage>
+void Processor::list(const StagePlan<Stage>& plan, const Need& need, std::vector<MachinePart>& parts) const {
+  const auto& units = all<Stage>();
+  MachinePart box{std::string(plan.name), "", units.size(), need.reason, 0};
+  std::vector<MachinePart> inside;
+  for (const auto& unit : units) {
+    box.busy += unit->statistics(cycles()).busy;
+    if constexpr (requires { unit->parts(); }) {
+      const std::vector<StagePart> own = unit->parts();
+      for (std::size_t k = 0; k < own.size(); ++k) {
+        const auto& [name, need_of_part, busy] = own[k];
+        if (k == inside.size()) {
+          inside.push_back({box.box, name, need_of_part.built ? units.size() : 0, need_of_part.reason, 0});
+        }
+        inside[k].busy += busy;
+      }
+    }
   }
-  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
-    if (contents_.surfaces[kind] > 0) continue;
-    omitted_.push_back(
-        {fmt::format("intersection_unit.{}_tester", surface_traits[kind].name), "the scene has no such surface"});
-  }
+  parts.push_back(std::move(box));
+  parts.insert(parts.end(), inside.begin(), inside.end());
+}
+
+std::vector<MachinePart> Processor::parts() const {
+  std::vector<MachinePart> parts;
+  auto need = needs_.begin();
+  for_each_stage([&](const auto& plan) { list(plan, *need++, parts); });
+  return parts;
 }
 
 Cycle Processor::cycles() const {

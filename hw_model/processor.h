@@ -18,11 +18,16 @@
 
 namespace pyrasim::hw {
 
-/// A box of the block diagram that was left out, and why.
-struct OmittedUnit {
-  std::string name;
-  std::string reason;
-  friend bool operator==(const OmittedUnit&, const OmittedUnit&) = default;
+/// A box of the block diagram, or a part of one.
+struct MachinePart {
+  std::string box;
+  std::string part;       ///< of the box; empty: the box itself
+  std::size_t units = 0;  ///< side by side; 0: it was left out
+  std::string reason;     ///< why it was built, or left out
+  Cycle busy = 0;         ///< sum over the units
+
+  std::string name() const { return part.empty() ? box : box + "." + part; }
+  friend bool operator==(const MachinePart&, const MachinePart&) = default;
 };
 
 /// One machine, rendering one frame. Several may be elaborated side by side before the simulation starts. Elaborate,
@@ -61,7 +66,8 @@ class Processor final : public sc_core::sc_module {
   std::pair<int, int> place_of(std::uint32_t pixel) const;
   const TreeAccumulator& tree_accumulator() const { return the<TreeAccumulator>(); }
   const SceneContents& contents() const { return contents_; }
-  const std::vector<OmittedUnit>& omitted() const { return omitted_; }
+  /// In data-flow order, each box followed by its parts, built or not; cycles are known after the frame.
+  std::vector<MachinePart> parts() const;
   /// None where nothing is subdivided.
   const SubdivisionController* controller() const { return optional<SubdivisionController>(); }
 
@@ -90,7 +96,8 @@ class Processor final : public sc_core::sc_module {
   void build(const StagePlan<Stage>& plan, const FrameSetup& frame);
   template <class Out, class Writer, class In, class Reader>
   void connect(const WirePlan<Out, Writer, In, Reader>& plan);
-  void list_omitted_testers();
+  template <class Stage>
+  void list(const StagePlan<Stage>& plan, const Need& need, std::vector<MachinePart>& parts) const;
   Progress stopping(const Progress& progress);
   void run_decoupled(int threads);
 
@@ -107,7 +114,7 @@ class Processor final : public sc_core::sc_module {
   std::vector<Stage*> stages_;
   std::vector<FifoBase*> fifos_;
   std::vector<Wire> wires_;
-  std::vector<OmittedUnit> omitted_;
+  std::vector<Need> needs_;                  ///< of the list's stages, one by one
   std::unique_ptr<DecoupledEngine> engine_;  ///< none in lockstep
   EventStream events_;
 };

@@ -13,6 +13,7 @@
 #include "hw_model/intersection_unit.h"
 #include "hw_model/pixel_scan.h"
 #include "hw_model/plan/frame_setup.h"
+#include "hw_model/plan/need.h"
 #include "hw_model/pyramid_classifier.h"
 #include "hw_model/subdivision_controller.h"
 #include "hw_model/tree_accumulator.h"
@@ -20,19 +21,18 @@
 
 namespace pyrasim::hw {
 
-/// Why a frame has no use for a stage; empty: the stage is built.
-using LeftOut = std::string_view (*)(const FrameSetup& frame);
-inline std::string_view always_built(const FrameSetup&) { return ""; }
-inline std::string_view nothing_is_subdivided(const FrameSetup& frame) {
-  if (frame.options.max_level == 0) return "MAX_LEVEL is 0: nothing is subdivided";
-  return frame.scene.objects.empty() ? "the scene has no objects: nothing is subdivided" : "";
+inline Need always_built(const FrameSetup&) { return {true, "every frame needs it"}; }
+inline Need where_pixels_are_subdivided(const FrameSetup& frame) {
+  if (frame.options.max_level == 0) return {false, "MAX_LEVEL is 0: nothing is subdivided"};
+  if (frame.scene.objects.empty()) return {false, "the scene has no objects: nothing is subdivided"};
+  return {true, fmt::format("MAX_LEVEL is {}: pixels are subdivided", frame.options.max_level)};
 }
 
 /// A stage of the machine; it is made from its module's name and a FrameSetup.
 template <class Stage>
 struct StagePlan {
   std::string_view name;
-  LeftOut left_out = always_built;
+  Need (*need)(const FrameSetup& frame) = always_built;
   /// The setting that says how many stand side by side, numbered from 0; none: one, without a number.
   std::size_t MachineSpec::*copies = nullptr;
 };
@@ -43,7 +43,7 @@ inline constexpr std::tuple stage_list{
     StagePlan<ViewVectorGenerator>{"view_vector_generator"},
     StagePlan<IntersectionUnit>{"intersection_unit", always_built, &MachineSpec::intersection_units},
     StagePlan<PyramidClassifier>{"pyramid_classifier"},
-    StagePlan<SubdivisionController>{"subdivision_controller", nothing_is_subdivided},
+    StagePlan<SubdivisionController>{"subdivision_controller", where_pixels_are_subdivided},
     StagePlan<ColorUnit>{"color_unit"},
     StagePlan<TreeAccumulator>{"tree_accumulator"},
     StagePlan<FrameBuffer>{"frame_buffer"},
@@ -61,14 +61,14 @@ inline constexpr const StagePlan<Stage>& plan_of = std::get<StagePlan<Stage>>(st
 /// The name of a stage's box, in which all its copies are.
 template <class Stage>
 std::string box_of() {
-  const auto& [name, left_out, copies] = plan_of<Stage>;
+  const auto& [name, need, copies] = plan_of<Stage>;
   return std::string(name) + (copies == nullptr ? "" : "s");
 }
 
 /// The name of a stage, or of the one of its copies that is numbered `number`.
 template <class Stage>
 std::string name_of(std::size_t number) {
-  const auto& [name, left_out, copies] = plan_of<Stage>;
+  const auto& [name, need, copies] = plan_of<Stage>;
   return copies == nullptr ? std::string(name) : fmt::format("{}_{}", name, number);
 }
 

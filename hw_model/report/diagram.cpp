@@ -12,8 +12,8 @@ std::string block_diagram(const Processor& processor) {
     text +=
         fmt::format("  {} -> {} [label={}];\n", wire.writer->basename(), wire.reader->basename(), wire.fifo->depth());
   }
-  for (const OmittedUnit& unit : processor.omitted()) {
-    text += fmt::format("  // not built: {}; {}\n", unit.name, unit.reason);
+  for (const MachinePart& part : processor.parts()) {
+    if (part.units == 0) text += fmt::format("  // not built: {}; {}\n", part.name(), part.reason);
   }
   return text + "}\n";
 }

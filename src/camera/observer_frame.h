@@ -13,6 +13,10 @@ class ObserverFrame {
   glm::dvec3 point(const glm::dvec3& world) const { return direction(world - position_); }
   glm::dvec3 direction(const glm::dvec3& world) const;
   const glm::dvec3& position() const { return position_; }
+  /// His axes, of length 1, in the world's coordinates.
+  const glm::dvec3& forward() const { return forward_; }
+  const glm::dvec3& up() const { return up_; }
+  const glm::dvec3& right() const { return right_; }
 
  private:
   glm::dvec3 position_;

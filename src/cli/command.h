@@ -24,6 +24,7 @@ void add_study_command(const Command& program);
 void add_budget_command(const Command& program);
 void add_check_command(const Command& program);
 void add_diagram_command(const Command& program);
+void add_export_command(const Command& program);
 void add_level_command(const Command& program);
 void add_compare_command(const Command& program);
 void add_formats_command(const Command& program);
@@ -51,6 +52,8 @@ struct FrameOptions {
   DatapathFormats formats(const Screen& screen, std::int64_t steps) const;
 };
 
+/// Adds SCENE and --size.
+void add_scene_options(const Command& command, FrameOptions& options);
 /// Adds SCENE, --size, --max-level and --edge. --scalar and --window are the caller's choice.
 void add_frame_options(const Command& command, FrameOptions& options);
 void add_scalar_option(const Command& command, std::string& scalar);

@@ -205,6 +205,10 @@ Option Command::add_arguments(const std::string& name, std::vector<std::string>&
   return Option(app_->add_option(name, values, description)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
 }
 
+Option Command::add_flag(const std::string& name, bool& value, const std::string& description) const {
+  return Option(app_->add_flag(name, value, description));
+}
+
 Option Command::add_number(const std::string& name, double& value, double least, double most,
                            const std::string& description) const {
   return add_limited(*app_, name, value, least, most, description, "number");

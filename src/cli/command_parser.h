@@ -57,6 +57,9 @@ class Command {
   /// Arguments without an option's name, one or more.
   Option add_arguments(const std::string& name, std::vector<std::string>& values, const std::string& description) const;
 
+  /// Without a value: given or not.
+  Option add_flag(const std::string& name, bool& value, const std::string& description) const;
+
   /// A number from `least` to `most`; NaN is outside.
   Option add_number(const std::string& name, double& value, double least, double most,
                     const std::string& description) const;

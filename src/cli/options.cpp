@@ -31,10 +31,14 @@ DatapathFormats FrameOptions::formats(const Screen& screen, std::int64_t steps) 
   return parsed;
 }
 
-void add_frame_options(const Command& command, FrameOptions& options) {
+void add_scene_options(const Command& command, FrameOptions& options) {
   command.add_text("SCENE", options.scene, "scene file (JSON)").required();
   command.add_text("--size", options.size, "pixels of the screen; its width, distance and the pixel's aspect stay")
       .type_name("COLUMNSxROWS");
+}
+
+void add_frame_options(const Command& command, FrameOptions& options) {
+  add_scene_options(command, options);
   add_max_level_option(command, options.max_level);
   add_edge_option(command, options.edge);
 }

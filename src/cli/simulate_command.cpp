@@ -26,6 +26,7 @@ struct SimulateCommand {
   int threads = 0;
   std::string stats;
   std::string trace;
+  bool explain = false;
 
   void run() const {
     auto [asked, scene] = asked_run(frame, machine);
@@ -61,6 +62,7 @@ struct SimulateCommand {
     }
     if (statistics) statistics->write(text_of(simulation_document(asked, outcome)));
     plan.table() << simulation_table(asked, outcome);
+    if (explain) plan.table() << parts_table(outcome);
   }
 };
 
@@ -86,6 +88,7 @@ void add_simulate_command(const Command& program) {
   command.add_text("--stats", options->stats, "statistics as JSON; - for stdout").type_name("FILE|-");
   command.add_text("--trace", options->trace, "states of units and fill of FIFOs over time; - for stdout")
       .type_name("FILE.vcd|-");
+  command.add_flag("--explain", options->explain, "what of the machine was built, why, and what it costs");
 }
 
 }  // namespace pyrasim::cli

@@ -46,12 +46,13 @@ std::string percentages(const std::vector<hw::StageStatistics>& units, hw::Cycle
 }
 
 /// Those that are left out for the same reason on one line.
-std::string omitted_lines(const std::vector<hw::OmittedUnit>& omitted) {
+std::string omitted_lines(std::vector<hw::MachinePart> parts) {
+  std::erase_if(parts, [](const hw::MachinePart& part) { return part.units > 0; });
   std::string text;
-  for (std::size_t k = 0; k < omitted.size();) {
-    const std::string& reason = omitted[k].reason;
-    text += "not built: " + omitted[k].name;
-    while (++k < omitted.size() && omitted[k].reason == reason) text += ", " + omitted[k].name;
+  for (std::size_t k = 0; k < parts.size();) {
+    const std::string& reason = parts[k].reason;
+    text += "not built: " + parts[k].name();
+    while (++k < parts.size() && parts[k].reason == reason) text += ", " + parts[k].name();
     text += "; " + reason + "\n";
   }
   return text;
@@ -66,7 +67,7 @@ std::string unit_lines(const Outcome& outcome) {
     text += fmt::format("{:<24}  {:>12}  {:>12}  {:>12}  {:>12}\n", line.name, part(&Unit::busy), part(&Unit::starved),
                         part(&Unit::blocked), part(&Unit::idle));
   }
-  return text + omitted_lines(outcome.omitted);
+  return text + omitted_lines(outcome.parts);
 }
 
 std::string latency_line(const LatencyAccount& latency) {

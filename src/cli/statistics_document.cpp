@@ -72,7 +72,9 @@ void add_events(ordered_json& document, const DatapathEvents& events, const Data
 ordered_json machine_document(const Run& run, const Outcome& outcome) {
   const hw::MachineSpec& spec = run.machine;
   ordered_json omitted = ordered_json::array();
-  for (const hw::OmittedUnit& unit : outcome.omitted) omitted.push_back({{"name", unit.name}, {"reason", unit.reason}});
+  for (const hw::MachinePart& part : outcome.parts) {
+    if (part.units == 0) omitted.push_back({{"name", part.name()}, {"reason", part.reason}});
+  }
   ordered_json elaborated = ordered_json::array();
   for (const UnitAccount& unit : outcome.units) elaborated.push_back(unit.name);
   return {

@@ -24,4 +24,7 @@ std::string text_of(const nlohmann::ordered_json& document);
 /// The simulation's statistics as a short table for people.
 std::string simulation_table(const Run& run, const Outcome& outcome);
 
+/// The machine's boxes and their parts as a table for people: which were built, why, and what they cost.
+std::string parts_table(const Outcome& outcome);
+
 }  // namespace pyrasim::cli

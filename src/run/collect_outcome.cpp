@@ -62,7 +62,7 @@ Outcome collect_outcome(hw::Processor& processor, hw::Occupancies* occupancies) 
   outcome.cycles = processor.cycles();
   outcome.image_sha256 = image_sha256(processor.image());
   for (const hw::Stage* stage : processor.stages()) outcome.units.push_back(unit_account(processor, *stage));
-  outcome.omitted = processor.omitted();
+  outcome.parts = processor.parts();
   collect_fifos(outcome, processor, occupancies);
   outcome.bottleneck = hw::bottleneck_chain(processor);
   outcome.lower_bound = hw::lower_bound(processor);

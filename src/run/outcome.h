@@ -94,8 +94,8 @@ struct Outcome {
   FrameStatistics counts;
   hw::Cycle cycles = 0;
   std::string image_sha256;
-  std::vector<UnitAccount> units;        ///< in data-flow order, of what was built
-  std::vector<hw::OmittedUnit> omitted;  ///< what was not
+  std::vector<UnitAccount> units;      ///< in data-flow order, of what was built
+  std::vector<hw::MachinePart> parts;  ///< boxes and their parts, built or not
   std::vector<FifoAccount> fifos;
   std::vector<hw::BottleneckLink> bottleneck;
   hw::LowerBound lower_bound{};

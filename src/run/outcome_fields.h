@@ -69,10 +69,13 @@ void for_each_field(Self& its, const auto& visit) {
   visit("waits", its.waits);
 }
 
-template <MaybeConst<hw::OmittedUnit> Self>
+template <MaybeConst<hw::MachinePart> Self>
 void for_each_field(Self& its, const auto& visit) {
-  visit("name", its.name);
+  visit("box", its.box);
+  visit("part", its.part);
+  visit("units", its.units);
   visit("reason", its.reason);
+  visit("busy", its.busy);
 }
 
 template <MaybeConst<hw::FifoStatistics> Self>
@@ -166,7 +169,7 @@ void for_each_field(Self& its, const auto& visit) {
   visit("cycles", its.cycles);
   visit("image_sha256", its.image_sha256);
   visit("units", its.units);
-  visit("omitted", its.omitted);
+  visit("parts", its.parts);
   visit("fifos", its.fifos);
   visit("bottleneck", its.bottleneck);
   visit("lower_bound", its.lower_bound);

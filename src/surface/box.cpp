@@ -6,6 +6,7 @@
 #include "numeric/vectors.h"
 #include "surface/error_bounds.h"
 #include "surface/plane_distance.h"
+#include "surface/pov_writer.h"
 #include "surface/slope_bounds.h"
 
 namespace pyrasim {
@@ -83,6 +84,8 @@ Prepared<BoxSurface> Box::prepared(const Preparation& preparation) const {
   }
   return prepared;
 }
+
+void Box::write_pov(PovWriter& pov) const { pov.object("box", min, max); }
 
 double reach(const BoxSurface<double>& box) {
   double reach = box_of(corners_of(box)).reach();

@@ -90,6 +90,7 @@ struct Box {
 
   static Box read(const JsonReader& reader, const SceneReading& reading);
   Prepared<BoxSurface> prepared(const Preparation& preparation) const;
+  void write_pov(PovWriter& pov) const;
 };
 
 /// Between which t a view ray is in the slab; lower > upper where it never is.

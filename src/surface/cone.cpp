@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "surface/pov_writer.h"
+
 namespace pyrasim {
 namespace {
 
@@ -38,6 +40,13 @@ Prepared<ConeSurface> Cone::prepared(const Preparation& preparation) const {
   frame.signs = {1, 1, -1};
   frame.shift[2] = scale * ((static_cast<Quadruple>(base_radius) + cap_radius) / 2);
   return {{{cut_off(frame, axis, std::max(base_radius, cap_radius), capped, preparation)}}, {}};
+}
+
+void Cone::write_pov(PovWriter& pov) const {
+  pov.begin("cone");
+  pov.add(axis.base, base_radius, axis.cap, cap_radius);
+  if (!capped) pov.add("open");
+  pov.end();
 }
 
 }  // namespace pyrasim

@@ -26,6 +26,7 @@ struct Cone {
 
   static Cone read(const JsonReader& reader, const SceneReading& reading);
   Prepared<ConeSurface> prepared(const Preparation& preparation) const;
+  void write_pov(PovWriter& pov) const;
 };
 
 }  // namespace pyrasim

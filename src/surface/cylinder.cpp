@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/cylinder.h"
 
+#include "surface/pov_writer.h"
+
 namespace pyrasim {
 
 Cylinder Cylinder::read(const JsonReader& reader, const SceneReading&) {
@@ -14,6 +16,13 @@ Prepared<CylinderSurface> Cylinder::prepared(const Preparation& preparation) con
   frame.scales[2] = frame.signs[2] = 0;
   frame.constant = -static_cast<Quadruple>(radius) * radius;
   return {{{cut_off(frame, axis, radius, capped, preparation)}}, {}};
+}
+
+void Cylinder::write_pov(PovWriter& pov) const {
+  pov.begin("cylinder");
+  pov.add(axis.base, axis.cap, radius);
+  if (!capped) pov.add("open");
+  pov.end();
 }
 
 }  // namespace pyrasim

@@ -25,6 +25,7 @@ struct Cylinder {
 
   static Cylinder read(const JsonReader& reader, const SceneReading& reading);
   Prepared<CylinderSurface> prepared(const Preparation& preparation) const;
+  void write_pov(PovWriter& pov) const;
 };
 
 }  // namespace pyrasim

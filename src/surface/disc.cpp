@@ -8,6 +8,7 @@
 #include "numeric/vectors.h"
 #include "surface/error_bounds.h"
 #include "surface/plane.h"
+#include "surface/pov_writer.h"
 #include "surface/slope_bounds.h"
 
 namespace pyrasim {
@@ -65,6 +66,8 @@ Prepared<DiscSurface> Disc::prepared(const Preparation& preparation) const {
   const auto [plane, shading] = prepared_plane(normal, offset, preparation);
   return {{plane.normal, plane.offset, preparation.frame.point(center), radius * radius}, shading};
 }
+
+void Disc::write_pov(PovWriter& pov) const { pov.object("disc", center, normalized(normal), radius); }
 
 double reach(const DiscSurface<double>& disc) {
   return std::max(largest(disc.center) + radius_of(disc), std::abs(disc.offset));

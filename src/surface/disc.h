@@ -63,6 +63,7 @@ struct Disc {
 
   static Disc read(const JsonReader& reader, const SceneReading& reading);
   Prepared<DiscSurface> prepared(const Preparation& preparation) const;
+  void write_pov(PovWriter& pov) const;
 };
 
 /// The t > 0 at which the view ray meets the disc, or 0 where there is none: t is that of its plane, and the

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "numeric/vectors.h"
+#include "surface/pov_writer.h"
 #include "surface/quadric_frame.h"
 
 namespace pyrasim {
@@ -24,6 +25,10 @@ Prepared<EllipsoidSurface> Ellipsoid::prepared(const Preparation& preparation) c
   shape.bounded = shape.convex = true;
   shape.enclosure = enclosure_along_axes(center, radii, preparation.frame);
   return prepared;
+}
+
+void Ellipsoid::write_pov(PovWriter& pov) const {
+  pov.object("sphere", glm::dvec3(0), 1, "scale", radii, "translate", center);
 }
 
 }  // namespace pyrasim

@@ -25,6 +25,7 @@ struct Ellipsoid {
 
   static Ellipsoid read(const JsonReader& reader, const SceneReading& reading);
   Prepared<EllipsoidSurface> prepared(const Preparation& preparation) const;
+  void write_pov(PovWriter& pov) const;
 };
 
 }  // namespace pyrasim

@@ -7,6 +7,7 @@
 
 #include "error.h"
 #include "mesh/load_mesh.h"
+#include "surface/pov_writer.h"
 
 namespace pyrasim {
 
@@ -26,6 +27,19 @@ Mesh Mesh::read(const JsonReader& reader, const SceneReading& reading) {
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}: {}", file.file(), file.pointer(), error.what()));
   }
+}
+
+void Mesh::write_pov(PovWriter& pov) const {
+  pov.begin("mesh2");
+  pov.begin("vertex_vectors");
+  pov.add(static_cast<double>(vertices.size()));
+  for (const glm::dvec3& vertex : vertices) pov.add_line(vertex);
+  pov.end();
+  pov.begin("face_indices");
+  pov.add(static_cast<double>(triangles.size()));
+  for (const auto& [a, b, c] : triangles) pov.add_line(glm::dvec3(a, b, c));
+  pov.end();
+  pov.end();
 }
 
 }  // namespace pyrasim

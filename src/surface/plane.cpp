@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "numeric/vectors.h"
+#include "surface/pov_writer.h"
 
 namespace pyrasim {
 namespace {
@@ -36,6 +37,8 @@ Prepared<PlaneSurface> Plane::prepared(const Preparation& preparation) const {
   }
   return prepared_plane(normal, from_observer, preparation);
 }
+
+void Plane::write_pov(PovWriter& pov) const { pov.plane(normal, offset); }
 
 double reach(const PlaneSurface<double>& plane) { return std::abs(plane.offset); }
 

@@ -68,6 +68,7 @@ struct Plane {
 
   static Plane read(const JsonReader& reader, const SceneReading& reading);
   Prepared<PlaneSurface> prepared(const Preparation& preparation) const;
+  void write_pov(PovWriter& pov) const;
 };
 
 }  // namespace pyrasim

@@ -8,6 +8,7 @@
 
 #include "camera/observer_frame.h"
 #include "numeric/vectors.h"
+#include "surface/pov_writer.h"
 
 namespace pyrasim {
 namespace {
@@ -71,6 +72,16 @@ Polygon Polygon::read(const JsonReader& reader, const SceneReading&) {
   for (const JsonReader& vertex : list.elements(3, max_vertices)) polygon.vertices.push_back(vertex.vec3(coordinates));
   check(list, polygon.vertices);
   return polygon;
+}
+
+/// The triangles that the datapath holds.
+void Polygon::write_pov(PovWriter& pov) const {
+  pov.begin(vertices.size() > 3 ? "union" : "object");
+  for (std::size_t k = 2; k < vertices.size(); ++k) {
+    if (is_degenerate(vertices[0], vertices[k - 1], vertices[k])) continue;
+    pov.object("triangle", vertices[0], vertices[k - 1], vertices[k]);
+  }
+  pov.end();
 }
 
 }  // namespace pyrasim

@@ -6,6 +6,7 @@
 
 #include "numeric/vectors.h"
 #include "surface/clip_box.h"
+#include "surface/pov_writer.h"
 #include "surface/principal_axes.h"
 
 namespace pyrasim {
@@ -133,6 +134,19 @@ Prepared<QuadricSurface> Quadric::prepared(const Preparation& preparation) const
   if (!shape.bounded) return prepared;
   shape.enclosure = enclosure_along_axes(box->center(), (box->upper - box->lower) / 2.0, preparation.frame);
   return prepared;
+}
+
+/// A skin that is clipped, or what a solid has in common with half-spaces.
+void Quadric::write_pov(PovWriter& pov) const {
+  const auto& q = coefficients;
+  const bool clipped = !clip.empty();
+  pov.begin(capped && clipped ? "intersection" : "object");
+  pov.object("quadric", glm::dvec3(q.xx, q.yy, q.zz), glm::dvec3(q.xy, q.xz, q.yz), glm::dvec3(q.x, q.y, q.z),
+             q.constant);
+  if (!capped && clipped) pov.begin("clipped_by");
+  for (const auto& [normal, offset] : clip) pov.plane(normal, offset);
+  if (!capped && clipped) pov.end();
+  pov.end();
 }
 
 }  // namespace pyrasim

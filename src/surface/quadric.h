@@ -36,6 +36,7 @@ struct Quadric {
 
   static Quadric read(const JsonReader& reader, const SceneReading& reading);
   Prepared<QuadricSurface> prepared(const Preparation& preparation) const;
+  void write_pov(PovWriter& pov) const;
 };
 
 }  // namespace pyrasim

@@ -6,6 +6,7 @@
 #include "numeric/quadruple.h"
 #include "numeric/vectors.h"
 #include "surface/error_bounds.h"
+#include "surface/pov_writer.h"
 #include "surface/slope_bounds.h"
 
 namespace pyrasim {
@@ -123,6 +124,8 @@ Prepared<SphereSurface> Sphere::prepared(const Preparation& preparation) const {
   const double power = power_of(*this, preparation.frame.position());
   return {{preparation.frame.point(center), radius * radius, power, radius}, {}};
 }
+
+void Sphere::write_pov(PovWriter& pov) const { pov.object("sphere", center, radius); }
 
 double reach(const SphereSurface<double>& sphere) { return largest(sphere.center) + sphere.radius; }
 

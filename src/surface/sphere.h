@@ -61,6 +61,7 @@ struct Sphere {
 
   static Sphere read(const JsonReader& reader, const SceneReading& reading);
   Prepared<SphereSurface> prepared(const Preparation& preparation) const;
+  void write_pov(PovWriter& pov) const;
 };
 
 /// The smallest t > 0 at which the view ray t * direction meets the sphere, or 0 where there is none.

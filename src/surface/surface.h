@@ -11,6 +11,8 @@
 
 namespace pyrasim {
 
+class PovWriter;
+
 /// Whether surfaces of a kind have bounds, by which a hierarchy can hold them.
 enum class Extent : std::uint8_t { bounded, unbounded, either };
 

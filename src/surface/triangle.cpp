@@ -6,6 +6,7 @@
 #include "mesh/degenerate.h"
 #include "numeric/vectors.h"
 #include "surface/error_bounds.h"
+#include "surface/pov_writer.h"
 #include "surface/slope_bounds.h"
 
 namespace pyrasim {
@@ -125,6 +126,8 @@ Prepared<TriangleSurface> Triangle::prepared(const Preparation& preparation) con
   const ObserverFrame& frame = preparation.frame;
   return prepared_triangle(frame.point(a), frame.point(b), frame.point(c), preparation.lighting);
 }
+
+void Triangle::write_pov(PovWriter& pov) const { pov.object("triangle", vertices[0], vertices[1], vertices[2]); }
 
 double reach(const TriangleSurface<double>& triangle) {
   double reach = 0;

@@ -97,6 +97,7 @@ struct Triangle {
 
   static Triangle read(const JsonReader& reader, const SceneReading& reading);
   Prepared<TriangleSurface> prepared(const Preparation& preparation) const;
+  void write_pov(PovWriter& pov) const;
 };
 
 /// Whether the ray, which is at 0, passes a triangle whose vertices are at `a`, `b` and `c`.

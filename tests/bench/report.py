@@ -12,6 +12,10 @@ SCENES = ["keel", "spheres", "bunny"]
 UNITS = [1, 4, 16]
 
 
+def program(folder):
+    return os.path.join(folder, "..", "..", "pyrasim")
+
+
 def povray_seconds(pov):
     """The trace time that POV-Ray prints: one thread, one ray a pixel, 640x480, no output file."""
     run = subprocess.run(["povray", "+WT1", "-A", "-D", "-F", "+W640", "+H480", f"+I{pov}"], capture_output=True,
@@ -30,9 +34,7 @@ def render_seconds(folder):
 def against_povray(folder, rounds):
     with tempfile.TemporaryDirectory() as temporary:
         pov = os.path.join(temporary, "spheres.pov")
-        with open(pov, "w", encoding="utf-8") as file:
-            subprocess.run(["/usr/bin/python3", "tests/bench/povray_scene.py", "scenes/spheres.json"], stdout=file,
-                           check=True)
+        subprocess.run([program(folder), "export", "scenes/spheres.json", "-o", pov], check=True)
         povray, ours = [], []
         for _ in range(rounds):
             povray.append(povray_seconds(pov))
@@ -80,10 +82,9 @@ def scaling(folder, rounds):
 
 
 def memory(folder):
-    program = os.path.join(folder, "..", "..", "pyrasim")
     print("\n| simulate at 1920x1080, MAX_LEVEL 3 | most memory, MB |\n|---|---|")
     for scene in SCENES:
-        process = subprocess.Popen([program, "simulate", f"scenes/{scene}.json", "--size", "1920x1080"],
+        process = subprocess.Popen([program(folder), "simulate", f"scenes/{scene}.json", "--size", "1920x1080"],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         usage = os.wait4(process.pid, 0)[2]
         print(f"| {scene} | {usage.ru_maxrss / 1024:.0f} |", flush=True)

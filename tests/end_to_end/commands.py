@@ -10,7 +10,8 @@ import zlib
 import tool
 from tool import LIMIT, OK, SCENES, USAGE
 
-COMMANDS = ("render", "simulate", "sweep", "budget", "study", "compare", "check", "level", "formats", "completion", "man")
+COMMANDS = ("render", "simulate", "sweep", "budget", "study", "compare", "check", "export", "level", "formats",
+            "completion", "man")
 KEEL = SCENES / "keel.json"
 
 
@@ -83,7 +84,7 @@ class Commands(tool.EndToEnd):
                               "--reuse", "--seed", "--threads", "--png-bits", "--png-encoding"),
                    "simulate": ("-o", "--stats", "--trace", "--machine", "--set", "--max-cycles", "--engine"),
                    "sweep": ("--csv", "--size", "--edge", "--max-level", "--reference", "--machine"),
-                   "budget": ("--stats", "--machine", "--fps"), "level": ("--eye",)}
+                   "budget": ("--stats", "--machine", "--fps"), "level": ("--eye",), "export": ("-o", "--size")}
         for command, names in options.items():
             for name in names:
                 self.refused(USAGE, command, scene, name, "", says="(empty): a value is needed")

@@ -91,6 +91,31 @@ class MachinePage(tool.EndToEnd):
             omitted = [f"  // not built: {unit['name']}; {unit['reason']}" for unit in document["machine"]["omitted"]]
             self.assertEqual(re.findall(r"(?m)^  //.*$", self.ok("diagram", KEEL, *options)), omitted)
 
+    def test_explained_parts(self):
+        """Boxes and parts are those of the statistics, and their work is all there is."""
+        line = re.compile(r"(?m)^((?:  )?)(\w+) +(\d+|-) +(?:([\d.]+) %|-) +(?:([\d.]+) %|-)  (built|not built): .+$")
+        for options in ((), ("--max-level", "0"), ("--machine", MACHINES / "wide.json", "--size", "80x60")):
+            document = self.stats("simulate", KEEL, "--explain", *options)
+            printed = self.ok("simulate", KEEL, "--explain", *options)
+            lines = line.findall(printed)
+            boxes = [(name, units, work) for inside, name, units, _, work, _ in lines if not inside]
+            built = [name for name, units, _ in boxes for _ in range(int(units) if units != "-" else 0)]
+            self.assertEqual(built, [re.sub(r"_\d+$", "", name) for name in document["machine"]["elaborated"]])
+            omitted = [name for _, name, *_, kind in lines if kind == "not built"]
+            self.assertEqual(omitted, [unit["name"].split(".")[-1] for unit in document["machine"]["omitted"]])
+            self.assertAlmostEqual(sum(float(work or 0) for *_, work in boxes), 100, delta=0.05 * len(boxes))
+            busy = {unit["name"]: unit["busy"] for unit in document["units"]}
+            shown = {name: float(share) for _, name, _, share, *_ in lines if share}
+            cycles = document["machine"]["cycles"]
+            self.assertAlmostEqual(shown["color_unit"], 100 * busy["color_unit"] / cycles, delta=0.051)
+
+    def test_explained_on_the_page(self):
+        page = (SOURCE / "docs/machine.md").read_text()
+        quoted = re.search(r"(?m)^    part  (?:.*\n)+?(?=\n)", page).group().splitlines()
+        printed = self.ok("simulate", KEEL, "--explain").splitlines()
+        self.assertGreater(len(quoted), 10)
+        self.assertEqual([line for line in quoted if line[4:] not in [*printed, "  ..."]], [])
+
     @unittest.skipUnless(shutil.which("dot"), "Graphviz is not installed")
     def test_diagram_is_dot(self):
         run = subprocess.run(["dot", "-Tsvg"], input=self.ok(*EVERYTHING), stdout=subprocess.PIPE, stderr=subprocess.PIPE,

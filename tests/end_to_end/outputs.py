@@ -27,6 +27,7 @@ class Outputs(tool.EndToEnd):
             self.refused(RUN_FAILED, "sweep", self.scene, "--csv", target, says=target)
         self.refused(RUN_FAILED, "simulate", self.scene, "--trace", "missing/out.vcd", "-o", "good.png",
                      says="missing/out.vcd: cannot write")
+        self.refused(RUN_FAILED, "export", self.scene, "-o", "missing/out.pov", says="missing/out.pov: cannot write")
         self.refused(RUN_FAILED, "render", self.scene, "--stats", "/dev/full", "-o", "/dev/null/out.png")
         for ending in ("bmp", "PNG", "json", ""):
             self.refused(USAGE, "render", self.scene, "-o", f"out.{ending}", says="its name must end in .png or .pfm")
@@ -45,7 +46,7 @@ class Outputs(tool.EndToEnd):
                               ["simulate", self.scene, "--trace", "-"], ["simulate", self.scene],
                               ["sweep", self.scene, "--max-level", "1", "--reference", "point"],
                               ["sweep", self.scene, "--max-level", "1", "--reference", "point", "--csv", "-"],
-                              ["check", self.scene], ["level"], ["compare", "out.pfm", "out.pfm", "--crop", "4x4"],
+                              ["check", self.scene], ["level"], ["export", self.scene, "-o", "-"], ["compare", "out.pfm", "out.pfm", "--crop", "4x4"],
                               ["--help"], ["--version"]):
                 run = self.run_tool(*arguments, stdout=full)
                 self.assertEqual(run.returncode, RUN_FAILED, arguments)
@@ -210,7 +211,10 @@ class Outputs(tool.EndToEnd):
             self.refused(USAGE, "simulate", self.scene, "--trace", name, says=f"--trace {name}: its name must end in .vcd")
         for name in ("x.png", "x.pdf", "x"):
             self.refused(USAGE, "study", "numerics", self.scene, "--plot", name, says="its name must end in .svg")
+        for name in ("x.png", "x.POV", "x"):
+            self.refused(USAGE, "export", self.scene, "-o", name, says="its name must end in .pov")
         for name in ("-", "/dev/stdout", "/dev/fd/1"):
+            self.assertTrue(self.run_tool("export", self.scene, "-o", name).stdout.startswith("// pyrasim"))
             self.assertTrue(self.run_tool("simulate", self.scene, "--trace", name).stdout.startswith("$"))
 
     def test_names_in_files(self):

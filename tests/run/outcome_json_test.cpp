@@ -43,7 +43,7 @@ TEST(OutcomeJson, ListsEveryField) {
   expect_all_fields_listed<UnitAccount>();
   expect_all_fields_listed<hw::StageStatistics>();
   expect_all_fields_listed<WaitAccount>();
-  expect_all_fields_listed<hw::OmittedUnit>();
+  expect_all_fields_listed<hw::MachinePart>();
   expect_all_fields_listed<FifoAccount>();
   expect_all_fields_listed<hw::FifoStatistics>();
   expect_all_fields_listed<OccupancyAccount>();

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/plan/tester_parts.h"
+
+#include <fmt/format.h>
+
+namespace pyrasim::hw {
+namespace {
+
+Need need_of_walker(std::size_t inner_nodes) {
+  if (inner_nodes == 0) return {false, "the scene has fewer than two bounded surfaces"};
+  return {true, fmt::format("the hierarchy has {} inner node{}", inner_nodes, inner_nodes == 1 ? "" : "s")};
+}
+
+Need need_of_tester(std::size_t surfaces) {
+  if (surfaces == 0) return {false, "the scene has no such surface"};
+  return {true, fmt::format("the scene has {} such surface{}", surfaces, surfaces == 1 ? "" : "s")};
+}
+
+}  // namespace
+
+std::vector<StagePart> tester_parts(const SceneContents& contents, const Work& work, const IntersectionCost& cost) {
+  std::vector<StagePart> parts{
+      {"hierarchy_walker", need_of_walker(contents.inner_nodes), cost.box_test * work.box_tests}};
+  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+    parts.push_back({fmt::format("{}_tester", surface_traits[kind].name), need_of_tester(contents.surfaces[kind]),
+                     cost.surface_test[kind] * work.surface_tests[kind]});
+  }
+  return parts;
+}
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a unit that traces rays is made of: a walker of the hierarchy, and a tester for each kind of surface.
+#pragma once
+
+#include <vector>
+
+#include "hw_model/machine_spec.h"
+#include "hw_model/plan/need.h"
+#include "intersect/intersector.h"
+
+namespace pyrasim::hw {
+
+/// A part of a stage. A stage that has parts lists them: parts().
+struct StagePart {
+  std::string name;
+  Need need;
+  Cycle busy = 0;  ///< of the stage's busy cycles those that it took
+};
+
+/// For a scene of `contents`, of a unit that did `work` at `cost`. What is left of the unit's busy cycles is cost.ray.
+std::vector<StagePart> tester_parts(const SceneContents& contents, const Work& work, const IntersectionCost& cost);
+
+}  // namespace pyrasim::hw
