@@ -19,7 +19,7 @@ class FixOperands {
   std::int64_t operator()() {
     switch (draw(0, 7)) {
       case 0: {
-        const std::int64_t one = std::int64_t{1} << static_cast<unsigned>(fraction_bits_);
+        const std::int64_t one = std::int64_t{1} << std::min(fraction_bits_, 61);  // 3/2 of it fits, and -1 of it
         const std::array corners{smallest_,
                                  smallest_ + 1,
                                  largest_,
