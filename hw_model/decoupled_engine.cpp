@@ -11,7 +11,8 @@ DecoupledEngine::DecoupledEngine(std::vector<Stage*> stages, const std::vector<W
     : stages_(std::move(stages)),
       boxes_(std::move(boxes)),
       generator_latency_(spec.view_vector_generator.latency),
-      unit_latency_(spec.intersection_cost.ray - 1 + spec.intersection_latency),
+      unit_latency_(spec.intersection_cost.ray - 1 + spec.intersection_latency +
+                    (boxes_.has_shadow_units ? spec.shadow_unit.latency : 0)),
       request_latency_(spec.subdivision_controller.latency) {
   for (Stage* stage : stages_) stage->attach(work_);
   for (const Wire& wire : wires) {  // only room and free slots come back from these

@@ -33,6 +33,7 @@ class DecoupledEngine {
     PixelScan& scan;
     ViewVectorGenerator& generator;
     std::vector<IntersectionUnit*> units;
+    bool has_shadow_units;  ///< behind these
     SubdivisionController* controller;
     ColorUnit& color_unit;
     FrameBuffer& frame_buffer;
@@ -55,7 +56,7 @@ class DecoupledEngine {
   std::vector<Stage*> stages_;
   Boxes boxes_;
   Cycle generator_latency_;
-  Cycle unit_latency_;  ///< the least from a ray's start in a unit to its sample
+  Cycle unit_latency_;  ///< the least from a ray's start in a unit to its sample at the classifier
   Cycle request_latency_;
   Cycle controller_date_ = never;  ///< of the controller's next firing, as long as it sleeps
   WorkList work_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hw_model/intersection_unit.h"
 
+#include <utility>
+
 namespace pyrasim::hw {
 
 IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, const FrameSetup& frame)
@@ -8,18 +10,21 @@ IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, const Fr
       latency_(frame.spec.intersection_latency),
       cost_(frame.spec.intersection_cost),
       intersector_(frame.intersector),
-      count_events_(frame.options.formats.counts_events()) {}
+      count_events_(frame.options.formats.counts_events()),
+      casts_shadows_(frame.intersector.contents().lights_with_shadows > 0) {}
 
 Cycle IntersectionUnit::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();
   const RayMessage& ray = ends.view_vector_generator.front();
   const Sample sample = nearest_hit(ray, work_);
-  const Cycle tests = cost_of_tests();
+  const Cycle tests = cost_of(work_, cost_);
   const Cycle occupied = cost_.ray + tests - tests_;
   tests_ = tests;
-  ends.pyramid_classifier.write_made(
+  ends.samples.write_made(
       [&] {
-        return SampleMessage{sample, ray.tag, ray.subdivision};
+        SampleMessage message{sample, ray.tag, ray.subdivision};
+        if (casts_shadows_) add_shadows(message);
+        return message;
       },
       now, occupied - 1 + latency_);
   ends.view_vector_generator.pop(now);
@@ -32,12 +37,11 @@ Sample IntersectionUnit::nearest_hit(const RayMessage& ray, Work& work) {
   return intersector_.intersect(ray.view_vector, work);
 }
 
-Cycle IntersectionUnit::cost_of_tests() const {
-  Cycle cycles = cost_.box_test * work_.box_tests;
-  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
-    cycles += cost_.surface_test[kind] * work_.surface_tests[kind];
-  }
-  return cycles;
+void IntersectionUnit::add_shadows(SampleMessage& message) {
+  const std::uint64_t rays = work_.shadow.total_rays();
+  const Cycle tests = cost_of(work_.shadow.tests, cost_);
+  message.shadow_rays = static_cast<std::uint32_t>(rays - std::exchange(shadow_rays_, rays));
+  message.shadow_tests = tests - std::exchange(shadow_tests_, tests);
 }
 
 template class StageOf<IntersectionUnit>;

@@ -19,10 +19,13 @@ namespace pyrasim::hw {
 class IntersectionUnit final : public StageOf<IntersectionUnit> {
  public:
   FifoPort<RayMessage> view_vector_generator{"view_vector_generator"};
-  FifoPort<SampleMessage> pyramid_classifier{"pyramid_classifier"};
+  FifoPort<SampleMessage> samples{"samples"};  ///< to the shadow unit behind it, or to the classifier
 
   IntersectionUnit(const sc_core::sc_module_name& name, const FrameSetup& frame);
 
+  /// Whether no light has shadows: samples go to the classifier.
+  bool casts_no_shadows() const { return !casts_shadows_; }
+  /// Of its rays, and of the shadow rays from what they saw.
   const Work& work() const { return work_; }
   std::vector<StagePart> parts() const { return tester_parts(intersector_.contents(), work_, cost_); }
   /// Of the arithmetic, where the constructor was told to count; costs a little.
@@ -37,25 +40,28 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   };
   struct Ends {
     FifoReader<RayMessage> view_vector_generator;
-    FifoWriter<SampleMessage> pyramid_classifier;
+    FifoWriter<SampleMessage> samples;
   };
-  Ends ends() const { return {FifoReader(*view_vector_generator), FifoWriter(*pyramid_classifier)}; }
+  Ends ends() const { return {FifoReader(*view_vector_generator), FifoWriter(*samples)}; }
   static Plan next(const Ends& ends, Cycle ready) {
-    return {Start(ready).needs_token(ends.view_vector_generator).needs_room(ends.pyramid_classifier)};
+    return {Start(ready).needs_token(ends.view_vector_generator).needs_room(ends.samples)};
   }
   Cycle fire(Ends& ends, const Plan& plan);
 
   Sample nearest_hit(const RayMessage& ray, Work& work);
-  /// In cycles, of all tests so far.
-  Cycle cost_of_tests() const;
+  /// What the shadow unit has to do for the newest sample.
+  void add_shadows(SampleMessage& message);
 
   Cycle latency_;
   IntersectionCost cost_;
   const Intersector& intersector_;
   bool count_events_;
+  bool casts_shadows_;
   CornersAhead* corners_ahead_ = nullptr;
   Work work_;
-  Cycle tests_ = 0;  ///< cost_of_tests() before the ray
+  Cycle tests_ = 0;  ///< cost of all tests before the ray
+  std::uint64_t shadow_rays_ = 0;
+  Cycle shadow_tests_ = 0;
   ArithmeticEvents events_;
 };
 

@@ -40,6 +40,8 @@ void for_each_setting(Spec& spec, const Visit& visit) {
     visit("intersection.cost." + std::string(surface_traits[kind].name), spec.intersection_cost.surface_test[kind],
           cost);
   }
+  visit("shadow_unit.latency", spec.shadow_unit.latency, cycles);
+  visit("shadow_unit.cost.ray", spec.shadow_unit.ray, cost);
   stage("pyramid_classifier", spec.pyramid_classifier);
   visit("pyramid_classifier.line_buffer", spec.line_buffer, IntegerRange{3, 65'537});
   stage("subdivision_controller", spec.subdivision_controller);

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "hw_model/cycle.h"
-#include "surface/list.h"
+#include "intersect/work.h"
 
 namespace pyrasim::hw {
 
@@ -40,6 +40,23 @@ struct IntersectionCost {
   friend bool operator==(const IntersectionCost&, const IntersectionCost&) = default;
 };
 
+/// In cycles, of all of `tests`.
+inline Cycle cost_of(const Tests& tests, const IntersectionCost& cost) {
+  Cycle cycles = cost.box_test * tests.box_tests;
+  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+    cycles += cost.surface_test[kind] * tests.surface_tests[kind];
+  }
+  return cycles;
+}
+
+/// Of a shadow unit, in cycles. A sample occupies it for 1, `ray` for each shadow ray, and their tests, which cost what
+/// an intersection unit's do.
+struct ShadowTiming {
+  Cycle latency = 8;  ///< as that of intersection units
+  Cycle ray = 1;
+  friend bool operator==(const ShadowTiming&, const ShadowTiming&) = default;
+};
+
 /// Which intersection unit gets the next ray.
 enum class Dispatch : std::uint8_t {
   round_robin,  ///< each in turn
@@ -53,6 +70,8 @@ struct FifoDepths {
   std::size_t pixel_scan_to_view_vector_generator = 4;
   std::size_t view_vector_generator_to_intersection_unit = 8;
   std::size_t intersection_unit_to_pyramid_classifier = 8;
+  std::size_t intersection_unit_to_shadow_unit = 8;
+  std::size_t shadow_unit_to_pyramid_classifier = 8;
   std::size_t pyramid_classifier_to_subdivision_controller = 8;
   std::size_t subdivision_controller_to_view_vector_generator = 8;
   std::size_t subdivision_controller_to_pyramid_classifier = 32;
@@ -75,6 +94,7 @@ struct MachineSpec {
   std::size_t issue_order_queue = 32;  ///< rays under way between generator and classifier under first_free
   Cycle intersection_latency = 8;      ///< a result can be read from the end of its ray's occupancy on, plus this - 1
   IntersectionCost intersection_cost;
+  ShadowTiming shadow_unit;
   StageTiming pyramid_classifier{.latency = 2};
   std::size_t line_buffer = 65'537;  ///< corner samples that the classifier can hold: a row and one more
   StageTiming subdivision_controller{.latency = 2};

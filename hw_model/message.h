@@ -52,6 +52,8 @@ struct SampleMessage {
   Sample sample;
   PixelTag tag;
   bool subdivision;
+  std::uint32_t shadow_rays = 0;  ///< that a shadow unit has to follow
+  Cycle shadow_tests = 0;         ///< that these take, in cycles
 };
 
 /// A case-3 pyramid with what its corners saw: to the controller for subdivision, and from it back to the classifier,

@@ -45,14 +45,18 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
   const FrameSetup frame{spec_, scene, options, window_, *intersector_, view_vectors_, stopping(options.progress)};
   for_each_stage([&](const auto& plan) { build(plan, frame); });
   for_each_wire([&](const auto& plan) { connect(plan); });
+  for (std::size_t k = 0; k < all<ShadowUnit>().size(); ++k) {
+    all<ShadowUnit>()[k]->account_for(all<IntersectionUnit>()[k]->work().shadow);
+  }
   Fifo<SlotCredit>& slots = *the<PixelScan>().tree_accumulator;
   for (std::uint32_t slot = 0; slot < slots.depth(); ++slot) slots.preload({slot});
   if (options.engine == Engine::lockstep) {
     for (Stage* stage : stages_) stage->run_in_lockstep(control_);
     return;
   }
-  DecoupledEngine::Boxes boxes{the<PixelScan>(), the<ViewVectorGenerator>(), {}, optional<SubdivisionController>(),
-                               the<ColorUnit>(), the<FrameBuffer>()};
+  DecoupledEngine::Boxes boxes{the<PixelScan>(),           the<ViewVectorGenerator>(),        {},
+                               !all<ShadowUnit>().empty(), optional<SubdivisionController>(), the<ColorUnit>(),
+                               the<FrameBuffer>()};
   for (const auto& unit : all<IntersectionUnit>()) boxes.units.push_back(unit.get());
   engine_ = std::make_unique<DecoupledEngine>(stages_, wires_, std::move(boxes), spec);
   sc_core::sc_spawn(

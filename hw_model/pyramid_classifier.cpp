@@ -5,7 +5,7 @@ namespace pyrasim::hw {
 
 PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, const FrameSetup& frame)
     : StageOf(name),
-      intersection_units("intersection_unit", frame.spec.intersection_units),
+      samples("intersection_unit", frame.spec.intersection_units),
       timing_(frame.spec.pyramid_classifier),
       max_level_(frame.options.max_level),
       window_(frame.window),
@@ -35,7 +35,7 @@ bool PyramidClassifier::plan_sample(Plan& plan) const {
     if (issue_order_queue->empty()) return false;
     unit = issue_order_queue->front().unit;
   }
-  plan.samples = &intersection_units[unit];
+  plan.samples = &samples[unit];
   plan.start.needs_token(*plan.samples);
   if (plan.samples->empty()) return false;
   const SampleMessage& message = plan.samples->front();
@@ -83,8 +83,8 @@ Cycle PyramidClassifier::fire(Ends& ends, const Plan& plan) {
   return timing_.interval;
 }
 
-void PyramidClassifier::take_sample(Fifo<SampleMessage>& samples, Cycle now) {
-  const SampleMessage& message = samples.front();
+void PyramidClassifier::take_sample(Fifo<SampleMessage>& fifo, Cycle now) {
+  const SampleMessage& message = fifo.front();
   if (message.subdivision) {
     middle_[samples_++] = message.sample;
   } else {
@@ -92,10 +92,10 @@ void PyramidClassifier::take_sample(Fifo<SampleMessage>& samples, Cycle now) {
     line_buffer_[column_] = message.sample;
     if (++column_ > columns_) column_ = 0;
   }
-  samples.pop(now);
+  fifo.pop(now);
   if (issue_order_queue.bound()) {
     issue_order_queue->pop(now);
-  } else if (++unit_ == intersection_units.size()) {
+  } else if (++unit_ == samples.size()) {
     unit_ = 0;
   }
 }

@@ -22,7 +22,7 @@ namespace pyrasim::hw {
 /// so a family takes six firings. Terminal nodes go to the colour unit, nodes to subdivide to the controller.
 class PyramidClassifier final : public StageOf<PyramidClassifier> {
  public:
-  FifoPorts<SampleMessage> intersection_units;
+  FifoPorts<SampleMessage> samples;  ///< of each intersection unit, or of the shadow unit behind it
   OptionalFifoPort<UnitNumber> issue_order_queue{"issue_order_queue"};  ///< from the generator; only under first_free
   OptionalFifoPort<NodeMessage> parents{"parents"};  ///< the nodes whose five samples are under way, in order
   OptionalFifoPort<NodeMessage> subdivision_controller{"subdivision_controller"};
@@ -68,7 +68,7 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   Cycle fire(Ends& ends, const Plan& plan);
 
   bool plan_sample(Plan& plan) const;
-  void take_sample(Fifo<SampleMessage>& samples, Cycle now);
+  void take_sample(Fifo<SampleMessage>& fifo, Cycle now);
   void emit(Ends& ends, const Node& node, Cycle now);
 
   StageTiming timing_;

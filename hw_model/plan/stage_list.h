@@ -15,6 +15,7 @@
 #include "hw_model/plan/frame_setup.h"
 #include "hw_model/plan/need.h"
 #include "hw_model/pyramid_classifier.h"
+#include "hw_model/shadow_unit.h"
 #include "hw_model/subdivision_controller.h"
 #include "hw_model/tree_accumulator.h"
 #include "hw_model/view_vector_generator.h"
@@ -26,6 +27,13 @@ inline Need where_pixels_are_subdivided(const FrameSetup& frame) {
   if (frame.options.max_level == 0) return {false, "MAX_LEVEL is 0: nothing is subdivided"};
   if (frame.scene.objects.empty()) return {false, "the scene has no objects: nothing is subdivided"};
   return {true, fmt::format("MAX_LEVEL is {}: pixels are subdivided", frame.options.max_level)};
+}
+
+inline Need where_lights_have_shadows(const FrameSetup& frame) {
+  const std::size_t lights = frame.intersector.contents().lights_with_shadows;
+  if (lights == 0) return {false, "the scene has no light with shadows, or nothing that casts one"};
+  return {true, fmt::format("{} light{} of the scene {} shadows", lights, lights == 1 ? "" : "s",
+                            lights == 1 ? "has" : "have")};
 }
 
 /// A stage of the machine; it is made from its module's name and a FrameSetup.
@@ -42,6 +50,7 @@ inline constexpr std::tuple stage_list{
     StagePlan<PixelScan>{"pixel_scan"},
     StagePlan<ViewVectorGenerator>{"view_vector_generator"},
     StagePlan<IntersectionUnit>{"intersection_unit", always_built, &MachineSpec::intersection_units},
+    StagePlan<ShadowUnit>{"shadow_unit", where_lights_have_shadows, &MachineSpec::intersection_units},
     StagePlan<PyramidClassifier>{"pyramid_classifier"},
     StagePlan<SubdivisionController>{"subdivision_controller", where_pixels_are_subdivided},
     StagePlan<ColorUnit>{"color_unit"},

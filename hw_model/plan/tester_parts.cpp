@@ -18,12 +18,12 @@ Need need_of_tester(std::size_t surfaces) {
 
 }  // namespace
 
-std::vector<StagePart> tester_parts(const SceneContents& contents, const Work& work, const IntersectionCost& cost) {
+std::vector<StagePart> tester_parts(const SceneContents& contents, const Tests& tests, const IntersectionCost& cost) {
   std::vector<StagePart> parts{
-      {"hierarchy_walker", need_of_walker(contents.inner_nodes), cost.box_test * work.box_tests}};
+      {"hierarchy_walker", need_of_walker(contents.inner_nodes), cost.box_test * tests.box_tests}};
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
     parts.push_back({fmt::format("{}_tester", surface_traits[kind].name), need_of_tester(contents.surfaces[kind]),
-                     cost.surface_test[kind] * work.surface_tests[kind]});
+                     cost.surface_test[kind] * tests.surface_tests[kind]});
   }
   return parts;
 }

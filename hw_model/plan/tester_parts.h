@@ -17,7 +17,8 @@ struct StagePart {
   Cycle busy = 0;  ///< of the stage's busy cycles those that it took
 };
 
-/// For a scene of `contents`, of a unit that did `work` at `cost`. What is left of the unit's busy cycles is cost.ray.
-std::vector<StagePart> tester_parts(const SceneContents& contents, const Work& work, const IntersectionCost& cost);
+/// For a scene of `contents`, of a unit that made `tests` at `cost`. What is left of the unit's busy cycles is what
+/// each ray costs beside.
+std::vector<StagePart> tester_parts(const SceneContents& contents, const Tests& tests, const IntersectionCost& cost);
 
 }  // namespace pyrasim::hw

@@ -12,14 +12,16 @@
 
 namespace pyrasim::hw {
 
-/// A FIFO from a port of one stage to a port of another, built where both stages are. Where a stage has copies, each
+/// A FIFO from a port of one stage to a port of another, built where both stages are, and the writer says that it is
+/// `needed`. Where a stage has copies, each
 /// has its own, and the port at the other end is a FifoPorts.
 template <class Out, class From, class In, class To>
 struct WirePlan {
   /// The depth is a setting of the FIFO's name.
-  constexpr WirePlan(Out From::*its_out, In To::*its_in, std::size_t FifoDepths::*its_depth)
-      : out(its_out), in(its_in), depth(its_depth) {}
-  /// The depth is a stage's setting. The FIFO is built where the writer says that it is `needed`.
+  constexpr WirePlan(Out From::*its_out, In To::*its_in, std::size_t FifoDepths::*its_depth,
+                     bool (From::*is_needed)() const = nullptr)
+      : out(its_out), in(its_in), depth(its_depth), needed(is_needed) {}
+  /// The depth is a stage's setting.
   constexpr WirePlan(Out From::*its_out, In To::*its_in, std::size_t MachineSpec::*its_capacity,
                      bool (From::*is_needed)() const = nullptr)
       : out(its_out), in(its_in), capacity(its_capacity), needed(is_needed) {}
@@ -39,8 +41,11 @@ inline constexpr std::tuple wire_list{
              &FifoDepths::pixel_scan_to_view_vector_generator},
     WirePlan{&ViewVectorGenerator::intersection_units, &IntersectionUnit::view_vector_generator,
              &FifoDepths::view_vector_generator_to_intersection_unit},
-    WirePlan{&IntersectionUnit::pyramid_classifier, &PyramidClassifier::intersection_units,
-             &FifoDepths::intersection_unit_to_pyramid_classifier},
+    WirePlan{&IntersectionUnit::samples, &PyramidClassifier::samples,
+             &FifoDepths::intersection_unit_to_pyramid_classifier, &IntersectionUnit::casts_no_shadows},
+    WirePlan{&IntersectionUnit::samples, &ShadowUnit::intersection_unit, &FifoDepths::intersection_unit_to_shadow_unit},
+    WirePlan{&ShadowUnit::pyramid_classifier, &PyramidClassifier::samples,
+             &FifoDepths::shadow_unit_to_pyramid_classifier},
     WirePlan{&ViewVectorGenerator::issue_order_queue, &PyramidClassifier::issue_order_queue,
              &MachineSpec::issue_order_queue, &ViewVectorGenerator::chooses_unit},
     WirePlan{&PyramidClassifier::subdivision_controller, &SubdivisionController::pyramid_classifier,

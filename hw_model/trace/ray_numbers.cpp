@@ -25,7 +25,9 @@ RayNumbers::RayNumbers(const std::vector<Stage*>& stages, const std::vector<Wire
     fifo.writer = place(wire.writer);
     fifo.reader = place(wire.reader);
     if (is<ViewVectorGenerator>(wire.writer)) generator_ = fifo.writer;
-    if (is<ViewVectorGenerator>(wire.writer) || is<IntersectionUnit>(wire.writer)) fifo.content = Content::rays;
+    if (is<ViewVectorGenerator>(wire.writer) || is<IntersectionUnit>(wire.writer) || is<ShadowUnit>(wire.writer)) {
+      fifo.content = Content::rays;
+    }
     if (is<SubdivisionController>(wire.writer)) fifo.content = Content::requests;
   }
 }

@@ -17,9 +17,9 @@ struct Wire;
 /// so that counting is enough, and costs nothing where nobody listens.
 ///
 /// A ray has the number of its issue, and as its parent that of the request that asked for it. Both are known of: the
-/// firings of the generator, of the units and of the classifier (of its newest sample); the reads and writes of the
-/// units' FIFOs and of the issue-order queue. A request's writes and reads, on its way to the generator and of its node
-/// to the classifier, have its number as `parent`.
+/// firings of the generator, of the intersection and shadow units and of the classifier (of its newest sample); the
+/// reads and writes of the units' FIFOs and of the issue-order queue. A request's writes and reads, on its way to the
+/// generator and of its node to the classifier, have its number as `parent`.
 class RayNumbers {
  public:
   /// Numbers nothing.

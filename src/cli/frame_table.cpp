@@ -8,9 +8,14 @@
 namespace pyrasim::cli {
 namespace {
 
-std::string ray_line(const FrameStatistics& frame) {
-  return fmt::format("rays          {:>12}   primary {} + subdivision {}\n", grouped(frame.total_rays()),
-                     grouped(frame.primary_rays()), grouped(frame.subdivision_rays_traced()));
+std::string ray_lines(const FrameStatistics& frame) {
+  std::string text = fmt::format("rays          {:>12}   primary {} + subdivision {}\n", grouped(frame.total_rays()),
+                                 grouped(frame.primary_rays()), grouped(frame.subdivision_rays_traced()));
+  const ShadowWork& shadow = frame.work.shadow;
+  if (shadow.lights == 0) return text;
+  text += fmt::format("shadow rays   {:>12}   to {} light{}\n", grouped(shadow.total_rays()), shadow.lights,
+                      shadow.lights == 1 ? "" : "s");
+  return text;
 }
 
 }  // namespace
@@ -30,7 +35,7 @@ std::string frame_title(const std::string& scene, const Screen& screen, const st
 }
 
 std::string frame_lines(const FrameStatistics& frame, int max_level) {
-  std::string text = ray_line(frame);
+  std::string text = ray_lines(frame);
   text += fmt::format("subdivisions  {:>12}   terminal nodes {}\n\n", grouped(frame.subdivisions),
                       grouped(frame.terminal_nodes));
   text += fmt::format("level  {:>12}  {:>12}  {:>12}  {:>12}\n", "rays", "empty", "covered", "edge");
@@ -45,7 +50,7 @@ std::string frame_lines(const FrameStatistics& frame, int max_level) {
 std::string rendering_table(const std::string& scene, const Camera& camera, const Method& method,
                             const FrameStatistics& frame) {
   const std::string title = frame_title(scene, camera.screen, camera.window);
-  if (!method.pyramid) return fmt::format("{}, {}\n\n{}", title, method.name(), ray_line(frame));
+  if (!method.pyramid) return fmt::format("{}, {}\n\n{}", title, method.name(), ray_lines(frame));
   return fmt::format("{}, MAX_LEVEL {}\n\n{}", title, method.pyramids.max_level,
                      frame_lines(frame, method.pyramids.max_level));
 }

@@ -24,6 +24,21 @@ ordered_json head(const std::string& scene, const Screen& screen, const std::opt
   return document;
 }
 
+ordered_json tests_document(const Tests& tests) {
+  ordered_json surface_tests = ordered_json::object();
+  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+    surface_tests[std::string(surface_traits[kind].name)] = tests.surface_tests[kind];
+  }
+  return {{"box_tests", tests.box_tests}, {"surface_tests", surface_tests}};
+}
+
+/// By light: of those with shadows.
+ordered_json shadow_rays_document(const ShadowWork& work) {
+  ordered_json by_light = ordered_json::array();
+  for (std::size_t light = 0; light < work.lights; ++light) by_light.push_back(work.rays[light]);
+  return {{"total", work.total_rays()}, {"by_light", by_light}};
+}
+
 void add_counts(ordered_json& document, const FrameStatistics& statistics, int max_level) {
   ordered_json rays_by_level = ordered_json::array();
   ordered_json cases_by_level = ordered_json::array();
@@ -40,15 +55,13 @@ void add_counts(ordered_json& document, const FrameStatistics& statistics, int m
   document["rays"] = {{"primary", statistics.primary_rays()},
                       {"subdivision", statistics.subdivision_rays_traced()},
                       {"total", statistics.total_rays()},
-                      {"by_level", rays_by_level}};
+                      {"by_level", rays_by_level},
+                      {"shadow", shadow_rays_document(statistics.work.shadow)}};
   document["cases"] = {{"by_level", cases_by_level}};
   document["subdivisions"] = statistics.subdivisions;
   document["terminal_nodes"] = statistics.terminal_nodes;
-  ordered_json surface_tests = ordered_json::object();
-  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
-    surface_tests[std::string(surface_traits[kind].name)] = statistics.work.surface_tests[kind];
-  }
-  document["work"] = {{"box_tests", statistics.work.box_tests}, {"surface_tests", surface_tests}};
+  document["work"] = tests_document(statistics.work);
+  document["work"]["shadow"] = tests_document(statistics.work.shadow.tests);
 }
 
 ordered_json events_document(const ArithmeticEvents& events) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "intersect/illumination.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -10,6 +11,11 @@
 namespace pyrasim {
 namespace {
 
+bool casts_any(const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(),
+                     [](const Object& object) { return object.casts_shadow; });
+}
+
 /// Of a direction, in any format: no component is larger than 1.
 constexpr double longest_squared = 3;
 
@@ -18,7 +24,7 @@ constexpr double longest_squared = 3;
 template <class Scalar>
 Illumination<Scalar>::Illumination(const Scene& description, const PreparedScene<double>& prepared,
                                    const PreparedScene<Scalar>& scene)
-    : lights_(*description.lights, ObserverFrame(description.camera), prepared.exponent),
+    : lights_(*description.lights, ObserverFrame(description.camera), prepared.exponent, casts_any(description)),
       margin_(format_of<Scalar>(), longest_squared, prepared.rounding),
       boxes_(prepared, format_of<Scalar>()),
       rays_(scene, boxes_),
@@ -56,7 +62,8 @@ typename Illumination<Scalar>::Place Illumination<Scalar>::place_of(const Vector
 template <class Scalar>
 bool Illumination<Scalar>::in_shadow(const Place& place, const Incidence& incidence, Tests& tests) const {
   const auto& margins = margins_;
-  const double above = margins[static_cast<std::size_t>(place.kind)][place.index] + 2 * margin_.of(largest(place.position));
+  const double above =
+      margins[static_cast<std::size_t>(place.kind)][place.index] + 2 * margin_.of(largest(place.position));
   const auto in_format = [](const glm::dvec3& v) { return glm::dvec3(in_double(to_scalar<Scalar>(v))); };
   GeneralRay ray{in_format(place.position + place.normal * above), in_format(incidence.towards)};
   if (incidence.distance < std::numeric_limits<double>::infinity()) {
@@ -73,6 +80,7 @@ bool Illumination<Scalar>::in_shadow(const Place& place, const Incidence& incide
 template <class Scalar>
 Sample Illumination<Scalar>::sample(const Vector<Scalar>& direction, const Hit<Scalar>& hit, ShadowWork& work) const {
   const Place place = place_of(direction, hit);
+  work.lights = lights_.with_shadows();
   glm::dvec3 light = lights_.ambient();
   std::uint32_t blocked = 0;
   lights_.for_each_at(place.position, [&](const Incidence& incidence, const std::optional<std::size_t>& shadow) {

@@ -27,10 +27,24 @@ void for_each_field(Self& its, const auto& visit) {
   visit("intersection", its.intersection);
 }
 
+template <MaybeConst<Tests> Self>
+void for_each_field(Self& its, const auto& visit) {
+  visit("box_tests", its.box_tests);
+  visit("surface_tests", its.surface_tests);
+}
+
+template <MaybeConst<ShadowWork> Self>
+void for_each_field(Self& its, const auto& visit) {
+  visit("lights", its.lights);
+  visit("rays", its.rays);
+  visit("tests", its.tests);
+}
+
 template <MaybeConst<Work> Self>
 void for_each_field(Self& its, const auto& visit) {
   visit("box_tests", its.box_tests);
   visit("surface_tests", its.surface_tests);
+  visit("shadow", its.shadow);
 }
 
 template <MaybeConst<FrameStatistics> Self>

@@ -7,17 +7,19 @@
 
 namespace pyrasim {
 
-PreparedLights::PreparedLights(const std::vector<Light>& lights, const ObserverFrame& frame, int exponent) {
+PreparedLights::PreparedLights(const std::vector<Light>& lights, const ObserverFrame& frame, int exponent,
+                               bool shadows) {
   const double unit = std::ldexp(1.0, exponent);
   for (const Light& light : lights) {
+    const bool numbered = shadows && casts_shadows(light);
+    const std::optional<std::size_t> number = numbered ? std::optional(with_shadows_++) : std::nullopt;
     if (const auto* ambient = std::get_if<AmbientLight>(&light)) {
       ambient_ += ambient->color;
     } else if (const auto* sun = std::get_if<DirectionalLight>(&light)) {
-      sources_.push_back({sun->color, number(sun->shadow), true, -normalized(frame.direction(sun->direction))});
+      sources_.push_back({sun->color, number, true, -normalized(frame.direction(sun->direction))});
     } else {
       const auto& lamp = std::get<PointLight>(light);
-      sources_.push_back(
-          {lamp.color, number(lamp.shadow), false, frame.point(lamp.position) * unit, lamp.falloff, unit});
+      sources_.push_back({lamp.color, number, false, frame.point(lamp.position) * unit, lamp.falloff, unit});
     }
   }
 }

@@ -21,7 +21,8 @@ struct Incidence {
 /// The lights of a scene in observer's coordinates times 2^exponent.
 class PreparedLights {
  public:
-  PreparedLights(const std::vector<Light>& lights, const ObserverFrame& frame, int exponent);
+  /// `shadows`: something casts them.
+  PreparedLights(const std::vector<Light>& lights, const ObserverFrame& frame, int exponent, bool shadows);
 
   const glm::dvec3& ambient() const { return ambient_; }
   /// Those with shadows, up to max_shadow_lights.
@@ -43,10 +44,6 @@ class PreparedLights {
     double unit = 1;  ///< of the scene's lengths
     Incidence at(const glm::dvec3& place) const;
   };
-
-  std::optional<std::size_t> number(bool shadow) {
-    return shadow ? std::optional(with_shadows_++) : std::nullopt;
-  }
 
   glm::dvec3 ambient_{0, 0, 0};
   std::vector<Source> sources_;

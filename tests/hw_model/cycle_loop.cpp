@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -75,14 +76,21 @@ struct Board {
   ViewVectors view_vectors;
   std::unique_ptr<Intersector> intersector;
   bool has_controller;
+  bool has_shadow_units;
   bool has_issue_order_queue = spec.dispatch == Dispatch::first_free && spec.intersection_units > 1;
 
   Fifo<CornerRequest> corners{spec.fifos.pixel_scan_to_view_vector_generator, spec.pixel_scan.latency};
   std::vector<Fifo<RayMessage>> rays{
       spec.intersection_units,
       {spec.fifos.view_vector_generator_to_intersection_unit, spec.view_vector_generator.latency}};
-  std::vector<Fifo<SampleMessage>> samples{
-      spec.intersection_units, {spec.fifos.intersection_unit_to_pyramid_classifier, spec.intersection_latency}};
+  std::vector<Fifo<SampleMessage>> seen{///< from the intersection units to their shadow units
+                                        spec.intersection_units,
+                                        {spec.fifos.intersection_unit_to_shadow_unit, spec.intersection_latency}};
+  std::vector<Fifo<SampleMessage>> samples{///< to the classifier
+                                           spec.intersection_units,
+                                           {has_shadow_units ? spec.fifos.shadow_unit_to_pyramid_classifier
+                                                             : spec.fifos.intersection_unit_to_pyramid_classifier,
+                                            has_shadow_units ? spec.shadow_unit.latency : spec.intersection_latency}};
   Fifo<std::size_t> order{spec.issue_order_queue, spec.view_vector_generator.latency};  ///< the issue-order queue
   Fifo<NodeMessage> nodes{spec.fifos.pyramid_classifier_to_subdivision_controller, spec.pyramid_classifier.latency};
   Fifo<SubdivisionRequest> requests{spec.fifos.subdivision_controller_to_view_vector_generator,
@@ -175,16 +183,38 @@ struct IntersectionUnit final : Box {
   std::size_t number;
 
   Cycle fire(Cycle now) override {
-    if (!board.rays[number].readable(now) || !board.samples[number].has_room()) return 0;
+    Fifo<SampleMessage>& results = board.has_shadow_units ? board.seen[number] : board.samples[number];
+    if (!board.rays[number].readable(now) || !results.has_room()) return 0;
     const RayMessage ray = board.rays[number].read(now);
     Work work;
     const Sample sample = board.intersector->intersect(ray.view_vector, work);
+    const Cycle busy = board.spec.intersection_cost.ray + cycles_of(work);
+    const std::uint64_t shadow_rays = std::accumulate(work.shadow.rays.begin(), work.shadow.rays.end(), 0ULL);
+    results.write(
+        now, {sample, ray.tag, ray.subdivision, static_cast<std::uint32_t>(shadow_rays), cycles_of(work.shadow.tests)},
+        busy - 1);
+    return busy;
+  }
+
+  Cycle cycles_of(const Tests& tests) const {
     const IntersectionCost& cost = board.spec.intersection_cost;
-    Cycle busy = cost.ray + cost.box_test * work.box_tests;
+    Cycle cycles = cost.box_test * tests.box_tests;
     for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
-      busy += cost.surface_test[kind] * work.surface_tests[kind];
+      cycles += cost.surface_test[kind] * tests.surface_tests[kind];
     }
-    board.samples[number].write(now, {sample, ray.tag, ray.subdivision}, busy - 1);
+    return cycles;
+  }
+};
+
+struct ShadowUnit final : Box {
+  ShadowUnit(Board& its_board, std::size_t its_number) : Box(its_board), number(its_number) {}
+  std::size_t number;
+
+  Cycle fire(Cycle now) override {
+    if (!board.has_shadow_units || !board.seen[number].readable(now) || !board.samples[number].has_room()) return 0;
+    const SampleMessage sample = board.seen[number].read(now);
+    const Cycle busy = 1 + board.spec.shadow_unit.ray * sample.shadow_rays + sample.shadow_tests;
+    board.samples[number].write(now, sample, busy - 1);
     return busy;
   }
 };
@@ -380,7 +410,9 @@ std::map<std::string, AnyFifo*> built_fifos(Board& board) {
   for (std::size_t k = 0; k < board.rays.size(); ++k) {
     const std::string unit = "intersection_unit_" + std::to_string(k);
     fifos["view_vector_generator_to_" + unit] = &board.rays[k];
-    fifos[unit + "_to_pyramid_classifier"] = &board.samples[k];
+    const std::string shadow_unit = "shadow_unit_" + std::to_string(k);
+    if (board.has_shadow_units) fifos[unit + "_to_" + shadow_unit] = &board.seen[k];
+    fifos[(board.has_shadow_units ? shadow_unit : unit) + "_to_pyramid_classifier"] = &board.samples[k];
   }
   if (board.has_issue_order_queue) fifos["view_vector_generator_to_pyramid_classifier"] = &board.order;
   if (board.has_controller) {
@@ -398,6 +430,13 @@ bool at_rest(const Board& board, const std::map<std::string, AnyFifo*>& fifos) {
   return true;
 }
 
+/// A light has shadows, and something casts them.
+bool shadow_units_stand_in(const Scene& scene) {
+  const auto casts = [](const Object& object) { return object.casts_shadow; };
+  return scene.lights && std::any_of(scene.lights->begin(), scene.lights->end(), casts_shadows) &&
+         std::any_of(scene.objects.begin(), scene.objects.end(), casts);
+}
+
 }  // namespace
 
 Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_level, const DatapathFormats& formats) {
@@ -407,7 +446,8 @@ Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_lev
               max_level,
               ViewVectors(scene.camera.screen, std::int64_t{1} << max_level, formats.view_vectors),
               make_intersector(scene, formats.intersection),
-              max_level > 0 && !scene.objects.empty()};
+              max_level > 0 && !scene.objects.empty(),
+              shadow_units_stand_in(scene)};
   for (std::uint32_t slot = 0; slot < spec.pixels_in_flight; ++slot) board.slots.preload({slot});
   PixelScan scan(board);
   ViewVectorGenerator generator(board);
@@ -417,9 +457,14 @@ Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_lev
   TreeAccumulator accumulator(board);
   FrameBuffer frame_buffer(board);
   std::deque<IntersectionUnit> units;
-  for (std::size_t k = 0; k < spec.intersection_units; ++k) units.emplace_back(board, k);
+  std::deque<ShadowUnit> shadow_units;
+  for (std::size_t k = 0; k < spec.intersection_units; ++k) {
+    units.emplace_back(board, k);
+    shadow_units.emplace_back(board, k);
+  }
   std::vector<Box*> boxes{&scan, &generator, &classifier, &controller, &color_unit, &accumulator, &frame_buffer};
   for (IntersectionUnit& unit : units) boxes.push_back(&unit);
+  for (ShadowUnit& unit : shadow_units) boxes.push_back(&unit);
   const std::map<std::string, AnyFifo*> fifos = built_fifos(board);
 
   Timeline timeline;
