@@ -117,4 +117,22 @@ inline Scene random_scene(std::uint64_t seed, const RandomContents& contents, in
   return scene;
 }
 
+/// Under a list of lights instead, most of them with shadows, and one object in four casts none.
+inline Scene under_lights(Scene scene, std::mt19937_64& random) {
+  const auto color = [&] { return random_vector(random, {0, 0, 0}, {1, 1, 1}); };
+  scene.light.reset();
+  scene.lights = std::vector<Light>{AmbientLight{{0.1, 0.1, 0.2}}};
+  for (std::uint64_t k = random() % 3 + 1; k > 0; --k) {
+    const bool shadow = random() % 4 != 0;
+    if (random() % 2 == 0) {
+      scene.lights->emplace_back(DirectionalLight{random_vector(random, {-1, -2, -1}, {1, 0, 1}), color(), shadow});
+    } else {
+      scene.lights->emplace_back(PointLight{random_vector(random, {-2, -3, -4}, {12, 6, 4}), color() * 5.0,
+                                            static_cast<Falloff>(random() % 3), shadow});
+    }
+  }
+  for (Object& object : scene.objects) object.casts_shadow = random() % 4 != 0;
+  return scene;
+}
+
 }  // namespace pyrasim

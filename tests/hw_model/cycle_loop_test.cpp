@@ -193,6 +193,7 @@ Case random_case(std::mt19937_64& random) {
   const int objects = random() % 8 == 0 ? 0 : 10;
   result.scene = random_scene(random(), {objects, objects, random() % 4 == 0 ? 1 : 0, 0, 0, random() % 3 == 0 ? 4 : 0},
                               columns, rows);
+  if (random() % 2 == 0) result.scene = under_lights(std::move(result.scene), random);
   result.options.max_level = static_cast<int>(random() % 6);
   if (random() % 4 == 0) result.options.formats.intersection = NumberFormat::single();
   if (random() % 4 == 0) result.options.formats.view_vectors = tf32;

@@ -33,6 +33,7 @@ TEST_P(RandomMachines, EnginesAgreeInEveryAccount) {
     Scene scene =
         random_scene(random(), {12, 12, k % 4 == 0 ? 1 : 0, k % 3 == 0 ? 5 : 0, k % 5 == 0 ? 5 : 0, k % 4 == 1 ? 8 : 0},
                      columns, rows);
+    if (k % 2 == 0) scene = under_lights(std::move(scene), random);
     if (k % 3 == 0) scene.camera.window = random_window(random, scene.camera.screen);
     SimulationOptions options;
     options.max_level = static_cast<int>(random() % 6);

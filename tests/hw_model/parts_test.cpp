@@ -25,11 +25,15 @@ struct Frame {
 const Names of_every_frame{"pixel_scan", "view_vector_generator", "intersection_unit", "pyramid_classifier",
                            "color_unit", "tree_accumulator",      "frame_buffer"};
 const std::string controller = "subdivision_controller";
+const std::string shadows = "shadow_unit";
 
-/// Parts of an intersection unit by what they are for.
+/// Parts of an intersection unit by what they are for; of a shadow unit likewise, where there is one.
 Names with(Names names, std::initializer_list<const char*> surfaces, bool hierarchy = true) {
-  for (const std::string surface : surfaces) names.insert("intersection_unit." + surface + "_tester");
-  if (hierarchy) names.insert("intersection_unit.hierarchy_walker");
+  const Names units = names.contains(shadows) ? Names{"intersection_unit", shadows} : Names{"intersection_unit"};
+  for (const std::string& unit : units) {
+    for (const std::string surface : surfaces) names.insert(unit + "." + surface + "_tester");
+    if (hierarchy) names.insert(unit + ".hierarchy_walker");
+  }
   return names;
 }
 
@@ -55,6 +59,8 @@ std::vector<Frame> frames() {
       shipped("fins", 1, 2, with({controller}, {"triangle"})),
       shipped("blocks", 3, 4, with({controller}, {"sphere", "plane", "disc", "box"})),
       shipped("quadrics", 2, 3, with({controller}, {"plane", "cylinder", "cone", "ellipsoid", "quadric", "triangle"})),
+      shipped("shadows", 3, 3,
+              with({controller, shadows}, {"sphere", "plane", "box", "cylinder", "cone", "ellipsoid", "quadric", "disc"})),
       shipped("bunny", 1, 16, with({controller}, {"plane", "triangle"})),
       {"nothing", scene_of({}), 3, 2, {}},
       {"one sphere", scene_of({ball}), 3, 4, with({controller}, {"sphere"}, false)},
@@ -84,27 +90,34 @@ void expect_built(const Processor& machine, const Frame& frame) {
     EXPECT_FALSE(part.reason.empty()) << part.name();
     if (part.units == 0) continue;
     built.insert(part.name());
-    EXPECT_EQ(part.units, part.box == "intersection_unit" ? frame.units : 1) << part.name();
+    EXPECT_EQ(part.units, part.box == "intersection_unit" || part.box == shadows ? frame.units : 1) << part.name();
     if (part.part.empty()) modules += part.units;
   }
   EXPECT_EQ(built, expected);
   EXPECT_EQ(modules, modules_in(machine));
-  EXPECT_EQ(modules, of_every_frame.size() - 1 + frame.units + frame.others.count(controller));
-  EXPECT_EQ(listed.size(), of_every_frame.size() + 2 + surface_kinds);  // controller and walker
+  EXPECT_EQ(modules, of_every_frame.size() - 1 + frame.units + frame.others.count(controller) +
+                         frame.units * frame.others.count(shadows));
+  const std::size_t parts = 1 + surface_kinds;  // of each kind of unit: its walker and testers
+  EXPECT_EQ(listed.size(), of_every_frame.size() + 2 + parts * (1 + frame.others.count(shadows)));
 }
 
 /// What the parts took and the fixed cost of each ray is all that the box did; boxes did what their units did.
 void expect_accounted(const Processor& machine) {
-  Cycle of_boxes = 0, of_unit = 0, of_its_parts = 0;
+  Cycle of_boxes = 0, of_unit = 0, of_its_parts = 0, of_shadows = 0, of_their_parts = 0;
   for (const MachinePart& part : machine.parts()) {
     EXPECT_TRUE(part.units > 0 || part.busy == 0) << part.name();
     if (part.part.empty()) of_boxes += part.busy;
     if (part.box == "intersection_unit") (part.part.empty() ? of_unit : of_its_parts) += part.busy;
+    if (part.box == shadows) (part.part.empty() ? of_shadows : of_their_parts) += part.busy;
   }
   Cycle of_stages = 0;
   for (const Stage* stage : machine.stages()) of_stages += stage->statistics(machine.cycles()).busy;
   EXPECT_EQ(of_boxes, of_stages);
-  EXPECT_EQ(of_unit, of_its_parts + machine.spec().intersection_cost.ray * machine.statistics().total_rays());
+  const FrameStatistics counts = machine.statistics();
+  EXPECT_EQ(of_unit, of_its_parts + machine.spec().intersection_cost.ray * counts.total_rays());
+  if (counts.work.shadow.lights == 0) return;
+  EXPECT_EQ(of_shadows, of_their_parts + counts.total_rays() +
+                            machine.spec().shadow_unit.ray * counts.work.shadow.total_rays());
 }
 
 TEST(Parts, AreThoseThatTheFrameNeeds) {

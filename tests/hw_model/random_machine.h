@@ -22,6 +22,7 @@ inline MachineSpec random_machine(std::mt19937_64& random, int max_level) {
   spec.issue_order_queue = depth();
   spec.intersection_latency = from(1, 64);
   spec.intersection_cost = {from(1, 8), from(0, 4), {from(0, 8), from(0, 8), from(0, 8)}};
+  spec.shadow_unit = {from(1, 64), from(0, 8)};
   spec.pyramid_classifier = timing();
   spec.subdivision_controller = timing();
   spec.subdivision_pool = required_pool(max_level) + from(0, from(0, 40));

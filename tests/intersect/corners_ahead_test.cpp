@@ -33,7 +33,8 @@ TEST(CornersAhead, AreThoseOfTheTracerInWhateverOrder) {
            {0, 0, 1, 1}, {0, 0, 1, 300}, {0, 0, 300, 1}, {0, 0, 33, 41}, {0, 0, 5000, 6}, {17, 23, 33, 41}}) {
     for (const std::size_t out_of_order : {0, 1, 7, 200}) {
       const auto& [left, top, columns, rows] = window;
-      const Scene scene = random_scene(3, {20, 20, 1, 10, 10, 10}, 2 * left + columns, 2 * top + rows);
+      Scene scene = random_scene(3, {20, 20, 1, 10, 10, 10}, 2 * left + columns, 2 * top + rows);
+      if (out_of_order == 7) scene = under_lights(std::move(scene), random);
       constexpr std::uint32_t steps = 8;
       const auto intersector = make_intersector(scene);
       const ViewVectors view_vectors(scene.camera.screen, steps);

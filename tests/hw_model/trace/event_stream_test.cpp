@@ -72,8 +72,9 @@ TEST(EventStream, IsTheSameOnBothEngines) {
   for (int k = 0; k < 60; ++k) {
     SimulationOptions options;
     options.max_level = static_cast<int>(random() % 6);
-    const Scene scene = random_scene(random(), {12, 12, k % 4 == 0 ? 1 : 0}, static_cast<int>(1 + random() % 16),
-                                     static_cast<int>(1 + random() % 16));
+    Scene scene = random_scene(random(), {12, 12, k % 4 == 0 ? 1 : 0}, static_cast<int>(1 + random() % 16),
+                               static_cast<int>(1 + random() % 16));
+    if (k % 3 == 0) scene = under_lights(std::move(scene), random);
     const MachineSpec spec = random_machine(random, options.max_level);
     decoupled.emplace_back(simulation.add(scene, spec, options));
     options.engine = Engine::lockstep;

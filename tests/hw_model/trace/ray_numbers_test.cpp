@@ -28,7 +28,9 @@ std::vector<Event> at_units(const EventList& list, Kind kind, bool to_units) {
   for (const Event& event : list.all()) {
     if (event.kind != kind || kind == Kind::firing) continue;
     const std::string name = list.name_of(event);
-    if (name.starts_with(to_units ? "view_vector_generator_to_intersection_unit" : "intersection_unit")) {
+    const bool from_units = (name.starts_with("intersection_unit") || name.starts_with("shadow_unit")) &&
+                            name.ends_with("_to_pyramid_classifier");
+    if (to_units ? name.starts_with("view_vector_generator_to_intersection_unit") : from_units) {
       result.push_back(event);
     }
   }
@@ -55,8 +57,9 @@ class Rays : public testing::Test {
     for (int k = 0; k < 24; ++k) {
       SimulationOptions options;
       options.max_level = static_cast<int>(random() % 5);
-      lists_.emplace_back(simulation_.add(random_scene(random(), {12, 12, 0}, 12, 10),
-                                          random_machine(random, options.max_level), options));
+      Scene scene = random_scene(random(), {12, 12, 0}, 12, 10);
+      if (k % 3 == 0) scene = under_lights(std::move(scene), random);
+      lists_.emplace_back(simulation_.add(scene, random_machine(random, options.max_level), options));
     }
     simulation_.run();
   }
@@ -81,23 +84,36 @@ TEST_F(Rays, AreNumberedInOrderOfIssue) {
   }
 }
 
-/// A unit's ray is the one that it reads, works on and writes in the same cycle.
+/// A unit's ray is the one that it reads from `before`, works on and writes to `after` in the same cycle.
+void expect_through(const EventList& list, const std::string& before, const std::string& unit,
+                    const std::string& after) {
+  const std::vector<Event> read = list.of(Kind::read, before + "_to_" + unit);
+  const std::vector<Event> firings = list.of(Kind::firing, unit);
+  const std::vector<Event> written = list.of(Kind::write, unit + "_to_" + after);
+  EXPECT_EQ(rays_of(read), rays_of(list.of(Kind::write, before + "_to_" + unit)));
+  EXPECT_EQ(rays_of(read), rays_of(firings));
+  EXPECT_EQ(rays_of(read), rays_of(written));
+  for (std::size_t n = 0; n < read.size(); ++n) {
+    EXPECT_EQ(read[n].at, firings[n].at);
+    EXPECT_EQ(read[n].at, written[n].at);
+  }
+}
+
 TEST_F(Rays, GoThroughAUnitInOneFiring) {
+  std::size_t with_shadows = 0;
   for (const EventList& list : lists_) {
+    const bool shadows = list.machine().contents().lights_with_shadows > 0;
     for (std::size_t k = 0; k < list.machine().spec().intersection_units; ++k) {
-      const std::string unit = "intersection_unit_" + std::to_string(k);
-      const std::vector<Event> read = list.of(Kind::read, "view_vector_generator_to_" + unit);
-      const std::vector<Event> firings = list.of(Kind::firing, unit);
-      const std::vector<Event> written = list.of(Kind::write, unit + "_to_pyramid_classifier");
-      EXPECT_EQ(rays_of(read), rays_of(list.of(Kind::write, "view_vector_generator_to_" + unit)));
-      EXPECT_EQ(rays_of(read), rays_of(firings));
-      EXPECT_EQ(rays_of(read), rays_of(written));
-      for (std::size_t n = 0; n < read.size(); ++n) {
-        EXPECT_EQ(read[n].at, firings[n].at);
-        EXPECT_EQ(read[n].at, written[n].at);
-      }
+      const std::string number = "_" + std::to_string(k);
+      const std::string unit = "intersection_unit" + number;
+      const std::string shadow_unit = "shadow_unit" + number;
+      expect_through(list, "view_vector_generator", unit, shadows ? shadow_unit : "pyramid_classifier");
+      if (!shadows) continue;
+      ++with_shadows;
+      expect_through(list, unit, shadow_unit, "pyramid_classifier");
     }
   }
+  EXPECT_GT(with_shadows, 0U);
 }
 
 /// A request's rays are five in a row, the first with its reading; the others are corners.
