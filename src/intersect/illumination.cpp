@@ -33,7 +33,7 @@ Illumination<Scalar>::Illumination(const Scene& description, const PreparedScene
   for (const Object& object : description.objects) casts_shadow_.push_back(object.casts_shadow);
   for_each_kind([&](auto kind) {
     for (const auto& surface : std::get<kind>(prepared.kinds).surfaces) {
-      margins_[kind].push_back(2 * margin_.of(surface));
+      margins_[kind].push_back(2 * margin_.across(surface));
     }
   });
 }

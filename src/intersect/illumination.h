@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What reaches the place that a view ray meets from a list of lights (decision D5).
 //
-// The datapath says which surface it is, at what t, and what normal it has there, and follows the shadow rays, all in its
-// number format. The rest is worked out in double: a light that fades by 1 / d^2 has a range that a narrow fixed-point
-// format does not.
+// The datapath says which surface it is, at what t, and what normal it has there, and follows the shadow rays, all in
+// its number format. The rest is worked out in double: a light that fades by 1 / d^2 has a range that a narrow
+// fixed-point format does not.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ namespace pyrasim {
 template <class Scalar>
 class Illumination {
  public:
-  /// Where the scene has a list of lights. `scene` is `prepared` rounded to the format that is set; `description` is what
-  /// both were made from.
+  /// Where the scene has a list of lights. `scene` is `prepared` rounded to the format that is set; `description` is
+  /// what both were made from.
   Illumination(const Scene& description, const PreparedScene<double>& prepared, const PreparedScene<Scalar>& scene);
 
   std::size_t lights_with_shadows() const { return lights_.with_shadows(); }
@@ -50,8 +50,9 @@ class Illumination {
   RayBoxes boxes_;
   GeneralScene<Scalar> rays_;
   const PreparedScene<Scalar>& scene_;
-  std::vector<bool> casts_shadow_;                          ///< by object
-  std::array<std::vector<double>, surface_kinds> margins_;  ///< how far from each surface a hit may lie; empty without shadows
+  std::vector<bool> casts_shadow_;  ///< by object
+  std::array<std::vector<double>, surface_kinds>
+      margins_;  ///< how far from each surface a hit may lie; empty without shadows
 };
 
 extern template class Illumination<double>;

@@ -47,11 +47,17 @@ class Margin {
 
   template <class Surface>
   double of(const Surface& surface) const {
-    const double size = reach(surface);
-    if constexpr (requires { unevenness(surface); }) {
-      return 2 * unevenness(surface) * of(size) + (has_generators(surface) ? along_generators(size) : 0);
+    if constexpr (requires { has_generators(surface); }) {
+      if (has_generators(surface)) return across(surface) + along_generators(reach(surface));
     }
-    return of(size);
+    return across(surface);
+  }
+  /// The same of rays that do not run along a generator; and how far from the surface the place may lie that is counted
+  /// as hit, whichever way the ray runs: one along a generator runs along the surface.
+  template <class Surface>
+  double across(const Surface& surface) const {
+    if constexpr (requires { unevenness(surface); }) return 2 * unevenness(surface) * of(reach(surface));
+    return of(reach(surface));
   }
   /// e is 7 roundings of the root of 3 of the largest coordinate at most, f twice that.
   double along_generators(double largest_coordinate) const {

@@ -71,7 +71,7 @@ struct PreparedScene {
   std::optional<std::int32_t> apart;  ///< likewise, a leaf of the others, if there are any
   SurfaceStore<Scalar> kinds;         ///< of each those apart first, then in the order of leaves
   Lighting<Scalar> lighting;
-  const Illumination<Scalar>* illumination = nullptr;  ///< where the scene has a list of lights
+  const Illumination<Scalar>* illumination = nullptr;              ///< where the scene has a list of lights
   int exponent = 0;                                                ///< lengths are the scene's times 2^exponent
   RoundingUnits rounding;                                          ///< of the format
   ScalarFormat<Scalar> numbers = ScalarFormat<Scalar>::current();  ///< the format, as computing in it takes it

@@ -14,8 +14,8 @@
 
 namespace pyrasim {
 
-/// The older form: one directional light without shadows, and the share that comes from everywhere. It is computed in the
-/// datapath's number format; lights of a list are, in double, from the place that the datapath found.
+/// The older form: one directional light without shadows, and the share that comes from everywhere. It is computed in
+/// the datapath's number format; lights of a list are, in double, from the place that the datapath found.
 struct SingleLight {
   double ambient = 0;              ///< share of light that arrives from everywhere, 0 to 1
   glm::dvec3 direction{0, -1, 0};  ///< the way the light travels, any length but zero

@@ -157,7 +157,7 @@ class Agreement(tool.EndToEnd):
         for command in (["render"], ["render", "--reuse", "frame"], ["simulate"], ["simulate", "--engine", "lockstep"]):
             document = self.stats(command[0], empty, *command[1:])
             self.assertEqual(document["rays"], {"primary": 308321, "subdivision": 0, "total": 308321,
-                                                "by_level": [308321, 0, 0, 0]})
+                                                "by_level": [308321, 0, 0, 0], "shadow": {"total": 0, "by_light": []}})
             self.assertEqual(document["subdivisions"], 0)
             self.assertEqual(document["terminal_nodes"], 307200)
             self.assertEqual(document["cases"]["by_level"][0], {"empty": 307200, "covered": 0, "edge": 0})

@@ -44,7 +44,7 @@ class BadInput(tool.EndToEnd):
         screen = {"columns": 8, "rows": 6, "horizontal_fov": 40}
         for document, says in (
                 ([], "it is an array"), ('"scene"', "it is the string"), ({"camera": {"screen": screen}}, '"objects"'),
-                ({**tool.scene(), "lights": []}, "/lights: unknown key"),
+                ({**tool.scene(), "lamps": []}, "/lamps: unknown key"),
                 (tool.scene([{**SPHERE, "radios": 1}]), "/objects/0/radios: unknown key"),
                 (tool.scene([{**SPHERE, "radius": 0}]), "/objects/0/radius: 0 is out of range"),
                 (tool.scene([{**SPHERE, "radius": -1}]), "/objects/0/radius"),

@@ -51,7 +51,14 @@ class Schemas(tool.EndToEnd):
             (["objects"], None), (["camera"], None), (["objects", 0, "radius"], 0), (["objects", 0, "radius"], None),
             (["objects", 0, "type"], "cube"), (["objects", 0, "vertices"], [[0, 0, 0]] * 3),
             (["camera", "screen", "dx"], 1), (["camera", "screen", "rows"], 0), (["camera", "screen", "rows"], 1.5),
-            (["background"], [1, 1]), (["lights"], []), (["light"], {"ambient": 0.5})])
+            (["background"], [1, 1]), (["lamps"], []), (["light"], {"ambient": 0.5})])
+        sun = {"type": "directional", "direction": [1, 0, 0], "color": [1, 1, 1]}
+        lit = tool.scene() | {"lights": [sun, {"type": "ambient", "color": [1, 1, 1]},
+                                         {"type": "point", "position": [0, 1, 0], "color": [1, 1, 1]}]}
+        self.assert_refused(validator, lit, [
+            (["light"], {"direction": [1, 0, 0]}), (["lights"], sun), (["lights", 0, "type"], "sun"),
+            (["lights", 0, "color"], [1, 1]), (["lights", 0, "falloff"], "none"), (["lights", 1, "shadow"], True),
+            (["lights", 2, "falloff"], "cubic"), (["lights", 2, "intensity"], -1), (["objects", 0, "shadow"], 1)])
 
     def test_machines(self):
         validator = schema("machine")
@@ -85,7 +92,7 @@ class Schemas(tool.EndToEnd):
                 yield path, node
 
         found = list(settings(document, []))
-        self.assertEqual(len(found), 42)
+        self.assertEqual(len(found), 46)
         for path, node in found:
             def file_with(value, path=path):
                 nested = value

@@ -21,6 +21,10 @@ SCENE = tool.scene(
       "color": [0.5, 1, 0.5]}],
     columns=24, rows=18)
 
+# For what stands only where lights have shadows.
+SHADOWED = SCENE | {"lights": [{"type": "directional", "direction": [1, -1, 1], "color": [1, 1, 1]},
+                               {"type": "point", "position": [0, 6, 0], "color": [1, 1, 1]}]}
+
 # What a setting needs beside it to matter.
 BESIDE = {"intersection.issue_order_queue": ['intersection.dispatch="first_free"'],
           "fifos.tree_accumulator_to_frame_buffer": ["frame_buffer.interval=20"]}
@@ -60,7 +64,8 @@ class Settings(tool.EndToEnd):
     def report(self, path, value):
         """Without what only repeats the setting."""
         sets = [word for setting in (*BESIDE.get(path, []), f"{path}={value}") for word in ("--set", setting)]
-        document = self.stats("simulate", self.write("scene.json", SCENE), "--max-level", 3, *sets)
+        scene = SHADOWED if "shadow_unit" in path else SCENE
+        document = self.stats("simulate", self.write("scene.json", scene), "--max-level", 3, *sets)
         del document["command"]
         del document["machine"]["settings"]
         del document["machine"]["settings_sha256"]
@@ -142,7 +147,7 @@ class Settings(tool.EndToEnd):
         scene = self.write("scene.json", SCENE)
         for options, title in (([], "default"), (["--set", "intersection.units=4"], "default"),
                                (["--set", "intersection.units=5"], "default + 1 setting"),
-                               (["--set", "fifos.all=3", "--set", "clock_mhz=10"], "default + 10 settings"),
+                               (["--set", "fifos.all=3", "--set", "clock_mhz=10"], "default + 12 settings"),
                                (["--machine", tool.MACHINES / "wide.json", "--set", "goal_fps=3"], "wide + 1 setting")):
             self.assertIn(f" on machine {title}\n", self.ok("simulate", scene, *options))
 

@@ -56,6 +56,7 @@ std::vector<Case> cases() {
   std::vector<Case> all;
   for (const int max_level : {0, 1, 3, 5}) {
     for (const char* scene : {"keel", "spheres", "fins"}) all.push_back({scene, 96, 72, max_level});
+    all.push_back({"shadows", 48, 36, max_level});
     all.push_back({"bunny", 48, 36, max_level});
   }
   return all;

@@ -59,8 +59,9 @@ std::vector<Frame> frames() {
       shipped("fins", 1, 2, with({controller}, {"triangle"})),
       shipped("blocks", 3, 4, with({controller}, {"sphere", "plane", "disc", "box"})),
       shipped("quadrics", 2, 3, with({controller}, {"plane", "cylinder", "cone", "ellipsoid", "quadric", "triangle"})),
-      shipped("shadows", 3, 3,
-              with({controller, shadows}, {"sphere", "plane", "box", "cylinder", "cone", "ellipsoid", "quadric", "disc"})),
+      shipped(
+          "shadows", 3, 3,
+          with({controller, shadows}, {"sphere", "plane", "box", "cylinder", "cone", "ellipsoid", "quadric", "disc"})),
       shipped("bunny", 1, 16, with({controller}, {"plane", "triangle"})),
       {"nothing", scene_of({}), 3, 2, {}},
       {"one sphere", scene_of({ball}), 3, 4, with({controller}, {"sphere"}, false)},
@@ -116,8 +117,8 @@ void expect_accounted(const Processor& machine) {
   const FrameStatistics counts = machine.statistics();
   EXPECT_EQ(of_unit, of_its_parts + machine.spec().intersection_cost.ray * counts.total_rays());
   if (counts.work.shadow.lights == 0) return;
-  EXPECT_EQ(of_shadows, of_their_parts + counts.total_rays() +
-                            machine.spec().shadow_unit.ray * counts.work.shadow.total_rays());
+  EXPECT_EQ(of_shadows,
+            of_their_parts + counts.total_rays() + machine.spec().shadow_unit.ray * counts.work.shadow.total_rays());
 }
 
 TEST(Parts, AreThoseThatTheFrameNeeds) {

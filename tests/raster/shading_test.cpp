@@ -15,7 +15,7 @@ TEST(Shading, KeepsAFactorBitForBit) {
 
 TEST(Shading, KeepsSimpleLightBitForBit) {
   for (const glm::dvec3& light : {glm::dvec3(0), glm::dvec3(1), glm::dvec3(1, 0, 0.5), glm::dvec3(4095, 7, 0),
-                                  glm::dvec3(0.125, 0x1p-23, 0), glm::dvec3(2, 3, 0.25)}) {
+                                  glm::dvec3(0.0625, 0x1p-23, 0), glm::dvec3(2, 3, 0.25)}) {
     EXPECT_EQ(Shading(light).light(), light) << light.x << " " << light.y << " " << light.z;
   }
 }

@@ -50,19 +50,60 @@ class LoadSceneError : public TempFolderTest {
 TEST_F(LoadSceneError, TheGoodSceneIsGood) { EXPECT_EQ(text_error(good_scene().dump()), "(no error)"); }
 
 TEST_F(LoadSceneError, UnknownKeys) {
-  EXPECT_EQ(error_with("/lights", "[]"), ": /lights: unknown key; allowed keys: camera, background, light, objects");
+  EXPECT_EQ(error_with("/lamps", "[]"),
+            ": /lamps: unknown key; allowed keys: camera, background, light, lights, objects");
   EXPECT_EQ(error_with("/camera/fov", "1"), ": /camera/fov: unknown key; allowed keys: position, look_at, up, screen");
   EXPECT_EQ(error_with("/camera/screen/width", "1"),
             ": /camera/screen/width: unknown key; allowed keys: columns, rows, dx, dy, dz, horizontal_fov");
   EXPECT_EQ(error_with("/light/color", "1"), ": /light/color: unknown key; allowed keys: ambient, direction");
   EXPECT_EQ(error_with("/objects/0/normal", "1"),
-            ": /objects/0/normal: unknown key; allowed keys: name, type, color, center, radius");
+            ": /objects/0/normal: unknown key; allowed keys: name, type, color, shadow, center, radius");
   EXPECT_EQ(error_with("/objects/1/radius", "1"),
-            ": /objects/1/radius: unknown key; allowed keys: name, type, color, normal, offset");
+            ": /objects/1/radius: unknown key; allowed keys: name, type, color, shadow, normal, offset");
   EXPECT_EQ(error_with("/objects/2/radius", "1"),
-            ": /objects/2/radius: unknown key; allowed keys: name, type, color, vertices");
+            ": /objects/2/radius: unknown key; allowed keys: name, type, color, shadow, vertices");
   EXPECT_EQ(error_with("/objects/0", R"({"type": "mesh", "file": "m.obj", "color": [1, 1, 1], "x": 0})"),
-            ": /objects/0/x: unknown key; allowed keys: name, type, color, file");
+            ": /objects/0/x: unknown key; allowed keys: name, type, color, shadow, file");
+}
+
+/// The message for lights in place of the good scene's light.
+TEST_F(LoadSceneError, Lights) {
+  const auto with_lights = [&](const std::string& lights) {
+    json scene = good_scene();
+    scene.erase("light");
+    scene["lights"] = json::parse(lights);
+    return text_error(scene.dump());
+  };
+  EXPECT_EQ(with_lights("[]"), "(no error)");
+  EXPECT_EQ(error_with("/lights", "[]"), ": /lights: it is given beside light; either light or lights is allowed");
+  EXPECT_EQ(with_lights(R"([{"type": "sun", "color": [1, 1, 1]}])"),
+            ": /lights/0/type: \"sun\" is unknown; one of \"ambient\", \"directional\", \"point\" is allowed");
+  EXPECT_EQ(with_lights(R"([{"type": "ambient"}])"), ": /lights/0: the key \"color\" is missing; it must be given");
+  EXPECT_EQ(with_lights(R"([{"type": "ambient", "color": [1, 1, 1], "shadow": true}])"),
+            ": /lights/0/shadow: unknown key; allowed keys: type, color, intensity");
+  EXPECT_EQ(with_lights(R"([{"type": "directional", "color": [1, 1, 1], "direction": [0, 0, 0]}])"),
+            ": /lights/0/direction: the vector is zero; a component of at least 1e-30 in magnitude is needed");
+  EXPECT_EQ(with_lights(R"([{"type": "point", "color": [1, 1, -1], "position": [0, 0, 0]}])"),
+            ": /lights/0/color/2: -1 is out of range; a number from 0 to 4096 is allowed");
+  EXPECT_EQ(with_lights(R"([{"type": "point", "color": [1, 1, 1], "position": [0, 0, 0], "falloff": "cubic"}])"),
+            ": /lights/0/falloff: \"cubic\" is unknown; one of \"none\", \"linear\", \"quadratic\" is allowed");
+  EXPECT_EQ(error_with("/objects/0/shadow", "1"), ": /objects/0/shadow: it is the number 1; true or false is allowed");
+}
+
+/// A sample has a bit for each light with shadows; of others there may be any number.
+TEST_F(LoadSceneError, TooManyLightsWithShadows) {
+  const auto with_lights = [&](std::size_t count, bool shadow) {
+    json scene = good_scene();
+    scene.erase("light");
+    const json light{{"type", "point"}, {"color", {1, 1, 1}}, {"position", {0, 9, 0}}, {"shadow", shadow}};
+    for (std::size_t k = 0; k < count; ++k) scene["lights"].push_back(light);
+    return text_error(scene.dump());
+  };
+  EXPECT_EQ(with_lights(max_shadow_lights, true), "(no error)");
+  EXPECT_EQ(with_lights(100'000, false), "(no error)");
+  EXPECT_EQ(with_lights(max_shadow_lights + 1, true),
+            ": /lights/32: there are too many lights with shadows; at most 32 are allowed, and any number with "
+            "\"shadow\": false");
 }
 
 TEST_F(LoadSceneError, MissingKeys) {

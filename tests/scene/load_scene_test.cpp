@@ -111,6 +111,32 @@ TEST_F(LoadScene, ReadsEverything) {
   EXPECT_EQ(std::get<Polygon>(scene.objects[10].surface).vertices.size(), 4U);
 }
 
+TEST_F(LoadScene, ReadsLights) {
+  const Scene scene = load(with_camera(small_screen, R"("lights": [
+      {"type": "ambient", "color": [0.25, 0.5, 1], "intensity": 2},
+      {"type": "directional", "direction": [1, -1, 0.5], "color": [1, 1, 0]},
+      {"type": "point", "position": [0, 5, 0], "color": [1, 0, 1], "falloff": "quadratic", "intensity": 0.5, "shadow": false},
+      {"type": "point", "position": [0, 5, 0], "color": [1, 0, 1]}],
+    "objects": [{"type": "sphere", "center": [5, 0, 0], "radius": 1, "color": [1, 1, 1], "shadow": false},
+                {"type": "sphere", "center": [5, 0, 0], "radius": 1, "color": [1, 1, 1]}])"));
+  EXPECT_FALSE(scene.light);
+  ASSERT_TRUE(scene.lights);
+  ASSERT_EQ(scene.lights->size(), 4U);
+  EXPECT_EQ(std::get<AmbientLight>(scene.lights->at(0)).color, glm::dvec3(0.5, 1, 2));
+  const auto& sun = std::get<DirectionalLight>(scene.lights->at(1));
+  EXPECT_EQ(sun.direction, glm::dvec3(1, -1, 0.5));
+  EXPECT_TRUE(sun.shadow);
+  const auto& lamp = std::get<PointLight>(scene.lights->at(2));
+  EXPECT_EQ(lamp.position, glm::dvec3(0, 5, 0));
+  EXPECT_EQ(lamp.color, glm::dvec3(0.5, 0, 0.5));
+  EXPECT_EQ(lamp.falloff, Falloff::quadratic);
+  EXPECT_FALSE(lamp.shadow);
+  EXPECT_EQ(std::get<PointLight>(scene.lights->at(3)).falloff, Falloff::none);
+  EXPECT_TRUE(std::get<PointLight>(scene.lights->at(3)).shadow);
+  EXPECT_FALSE(scene.objects[0].casts_shadow);
+  EXPECT_TRUE(scene.objects[1].casts_shadow);
+}
+
 TEST_F(LoadScene, LightHasNoAmbientByDefault) {
   EXPECT_EQ(load(with_camera(small_screen, R"("light": {"direction": [0, -1, 0]}, "objects": [])")).light->ambient, 0);
 }
@@ -161,7 +187,8 @@ TEST_P(ShippedScene, LoadsWithoutWarnings) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("keel", "spheres", "fins", "bunny"),
+INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
+                         testing::Values("keel", "spheres", "fins", "blocks", "quadrics", "shadows", "bunny"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 TEST(ShippedScenes, KeelsFinAndRudderAreOneFlatObjectEach) {
