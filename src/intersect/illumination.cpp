@@ -46,14 +46,10 @@ typename Illumination<Scalar>::Place Illumination<Scalar>::place_of(const Vector
     const auto& [surfaces, shading] = std::get<kind>(scene_.kinds);
     const auto& surface = surfaces[hit.index];
     const glm::dvec3 outward = in_double(surface.outward(shading[hit.index], direction, hit.t));
-    const bool outside = glm::dot(outward, along) < 0;
-    constexpr MeetsItself again = surface_traits[kind].meets_itself;
     return Place{.position = along * static_cast<double>(hit.t),
-                 .normal = (outside ? outward : -outward) / glm::length(outward),
-                 .kind = hit.kind,
-                 .index = hit.index,
-                 .object = surface.identity.object,
-                 .may_meet_itself = again == MeetsItself::anywhere || (again == MeetsItself::inside && !outside)};
+                 .normal = (glm::dot(outward, along) < 0 ? outward : -outward) / glm::length(outward),
+                 .surface = surface.identity,
+                 .margin = margins_[kind].empty() ? 0 : margins_[kind][hit.index]};
   });
 }
 
@@ -61,18 +57,14 @@ typename Illumination<Scalar>::Place Illumination<Scalar>::place_of(const Vector
 /// surface, or of the light, does not count: there the exact ray may have met nothing.
 template <class Scalar>
 bool Illumination<Scalar>::in_shadow(const Place& place, const Incidence& incidence, Tests& tests) const {
-  const auto& margins = margins_;
-  const double above =
-      margins[static_cast<std::size_t>(place.kind)][place.index] + 2 * margin_.of(largest(place.position));
+  const double above = place.margin + 2 * margin_.of(largest(place.position));
   const auto in_format = [](const glm::dvec3& v) { return glm::dvec3(in_double(to_scalar<Scalar>(v))); };
   GeneralRay ray{in_format(place.position + place.normal * above), in_format(incidence.towards)};
   if (incidence.distance < std::numeric_limits<double>::infinity()) {
     ray.limit = incidence.distance - above - 2 * margin_.of(incidence.distance);
   }
   const auto counts = [&](auto kind, std::uint32_t index, double t) {
-    const bool itself = kind_at<kind> == place.kind && index == place.index;
-    if (itself && !place.may_meet_itself) return false;
-    return t > margins[kind][index] && casts_shadow_[std::get<kind>(scene_.kinds).surfaces[index].identity.object];
+    return t > margins_[kind][index] && casts_shadow_[std::get<kind>(scene_.kinds).surfaces[index].identity.object];
   };
   return rays_.any(ray, counts, tests);
 }
@@ -96,7 +88,7 @@ Sample Illumination<Scalar>::sample(const Vector<Scalar>& direction, const Hit<S
     light += incidence.color * cosine;
   });
   const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << lights_.with_shadows()) - 1);
-  return {{place.object, all & ~blocked}, Shading(light)};
+  return {{place.surface.object, all & ~blocked}, Shading(light)};
 }
 
 template class Illumination<double>;

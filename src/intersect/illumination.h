@@ -36,10 +36,8 @@ class Illumination {
   struct Place {
     glm::dvec3 position;
     glm::dvec3 normal;  ///< on the viewer's side, of length 1
-    SurfaceKind kind;
-    std::uint32_t index;  ///< among the surfaces of its kind
-    std::uint32_t object;
-    bool may_meet_itself;  ///< a ray that leaves it on the viewer's side may meet the same surface
+    SurfaceIdentity surface;
+    double margin = 0;  ///< so far from it the position may lie; 0 where no light has shadows
   };
 
   Place place_of(const Vector<Scalar>& direction, const Hit<Scalar>& hit) const;

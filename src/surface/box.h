@@ -43,8 +43,7 @@ struct BoxShading {
 /// The surface of what three slabs have in common.
 template <class Scalar>
 struct BoxSurface {
-  static constexpr SurfaceTraits traits{
-      .name = "box", .default_cost = 3, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
+  static constexpr SurfaceTraits traits{.name = "box", .default_cost = 3, .extent = Extent::bounded};
   using Terms = const ViewRay<Scalar>&;
   using Shading = BoxShading<Scalar>;
 

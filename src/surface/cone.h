@@ -11,8 +11,7 @@ namespace pyrasim {
 /// x^2 + y^2 = w^2, where w is the radius at the place's height.
 template <class Scalar>
 struct ConeSurface : QuadricSurfaceBase<ConeSurface, Scalar, 2> {
-  static constexpr SurfaceTraits traits{
-      .name = "cone", .default_cost = 5, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
+  static constexpr SurfaceTraits traits{.name = "cone", .default_cost = 5, .extent = Extent::bounded};
 };
 
 /// From one circle to another; one of the radii may be 0. Capped it is a solid, else a skin, seen from inside too.

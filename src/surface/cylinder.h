@@ -11,8 +11,7 @@ namespace pyrasim {
 /// A circle in the frame across its axis.
 template <class Scalar>
 struct CylinderSurface : QuadricSurfaceBase<CylinderSurface, Scalar, 2> {
-  static constexpr SurfaceTraits traits{
-      .name = "cylinder", .default_cost = 4, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
+  static constexpr SurfaceTraits traits{.name = "cylinder", .default_cost = 4, .extent = Extent::bounded};
 };
 
 /// Capped it is a solid, else a tube, seen from inside too.

@@ -18,8 +18,7 @@ namespace pyrasim {
 /// The points p of a plane, normal . p = offset, with |p - center| <= radius.
 template <class Scalar>
 struct DiscSurface {
-  static constexpr SurfaceTraits traits{
-      .name = "disc", .default_cost = 2, .extent = Extent::bounded, .meets_itself = MeetsItself::never};
+  static constexpr SurfaceTraits traits{.name = "disc", .default_cost = 2, .extent = Extent::bounded};
   using Terms = const ViewRay<Scalar>&;
   using Shading = FlatShading<Scalar>;
 

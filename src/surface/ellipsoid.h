@@ -12,8 +12,7 @@ namespace pyrasim {
 /// A sphere in the frame of its axes.
 template <class Scalar>
 struct EllipsoidSurface : QuadricSurfaceBase<EllipsoidSurface, Scalar, 0> {
-  static constexpr SurfaceTraits traits{
-      .name = "ellipsoid", .default_cost = 5, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
+  static constexpr SurfaceTraits traits{.name = "ellipsoid", .default_cost = 5, .extent = Extent::bounded};
 };
 
 /// Its axes are the world's.

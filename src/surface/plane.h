@@ -20,8 +20,7 @@ namespace pyrasim {
 /// The points p with normal . p = offset.
 template <class Scalar>
 struct PlaneSurface {
-  static constexpr SurfaceTraits traits{
-      .name = "plane", .default_cost = 1, .extent = Extent::unbounded, .meets_itself = MeetsItself::never};
+  static constexpr SurfaceTraits traits{.name = "plane", .default_cost = 1, .extent = Extent::unbounded};
   using Terms = const ViewRay<Scalar>&;
   using Shading = FlatShading<Scalar>;
 

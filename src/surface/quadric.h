@@ -15,8 +15,7 @@ inline constexpr std::size_t max_clips = 8;
 
 template <class Scalar>
 struct QuadricSurface : QuadricSurfaceBase<QuadricSurface, Scalar, max_clips> {
-  static constexpr SurfaceTraits traits{
-      .name = "quadric", .default_cost = 9, .extent = Extent::either, .meets_itself = MeetsItself::anywhere};
+  static constexpr SurfaceTraits traits{.name = "quadric", .default_cost = 9, .extent = Extent::either};
 };
 
 /// The points where xx x^2 + yy y^2 + zz z^2 + xy x y + xz x z + yz y z + x x + y y + z z + constant = 0, as far as all

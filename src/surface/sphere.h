@@ -17,8 +17,7 @@ namespace pyrasim {
 
 template <class Scalar>
 struct SphereSurface {
-  static constexpr SurfaceTraits traits{
-      .name = "sphere", .default_cost = 2, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
+  static constexpr SurfaceTraits traits{.name = "sphere", .default_cost = 2, .extent = Extent::bounded};
   using Terms = const ViewRay<Scalar>&;
   using Shading = NoShading<Scalar>;
 

@@ -16,18 +16,10 @@ class PovWriter;
 /// Whether surfaces of a kind have bounds, by which a hierarchy can hold them.
 enum class Extent : std::uint8_t { bounded, unbounded, either };
 
-/// Which of the rays that start on a surface and leave it on the side where the viewer is may meet it once more.
-enum class MeetsItself : std::uint8_t {
-  never,     ///< it is flat
-  inside,    ///< those that run inside: from outside it is convex
-  anywhere,  ///< perhaps any
-};
-
 struct SurfaceTraits {
   std::string_view name;  ///< in statistics, and of its cost in machine files
   unsigned default_cost;  ///< of one test, cycles of an intersection unit
   Extent extent;
-  MeetsItself meets_itself;
 };
 
 /// Both count in the order of the scene file, objects and surfaces; they settle equal distances (decision D7).

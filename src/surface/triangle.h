@@ -48,8 +48,7 @@ struct TriangleShear {
 
 template <class Scalar>
 struct TriangleSurface {
-  static constexpr SurfaceTraits traits{
-      .name = "triangle", .default_cost = 3, .extent = Extent::bounded, .meets_itself = MeetsItself::never};
+  static constexpr SurfaceTraits traits{.name = "triangle", .default_cost = 3, .extent = Extent::bounded};
   using Terms = TriangleShear<Scalar>;
   using Shading = FlatShading<Scalar>;
 
