@@ -53,8 +53,11 @@ class GeneralScene {
     const RayBoxes& boxes;
     const WideNode<Scalar>* first;
     GeneralRay ray;
+    RayBoxes::Query query = boxes.query(ray);
 
-    unsigned met(const WideNode<Scalar>& node) const { return boxes.met(static_cast<std::size_t>(&node - first), ray); }
+    unsigned met(const WideNode<Scalar>& node) const {
+      return boxes.met(static_cast<std::size_t>(&node - first), query, ray.limit);
+    }
   };
   /// The ray's limit is that of the nearest hit so far.
   struct Nearest : Boxes {

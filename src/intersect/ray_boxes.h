@@ -24,17 +24,33 @@ class RayBoxes {
   /// Of the hierarchy below `scene`.root, for a datapath of `format`; `scene` is not yet rounded to it.
   RayBoxes(const PreparedScene<double>& scene, const NumberFormat& format);
 
+  /// What boxes ask of a ray, worked out once.
+  struct Query {
+    glm::dvec3 above;    ///< the origin, and the margin on
+    glm::dvec3 below;    ///< and the margin off
+    glm::dvec3 inverse;  ///< 1 / direction; where the ray runs along an axis' planes, the largest number
+  };
+  Query query(const GeneralRay& ray) const;
+
   /// The boxes of the children of node `node` as one ray asks for them: bit k, the ray may meet what box k holds at a t
-  /// of at most ray.limit. Compared in double, whatever the format, with all that the datapath may err by added to the
+  /// of at most `limit`. Compared in double, whatever the format, with all that the datapath may err by added to the
   /// boxes: no hit that the datapath counts is missed.
-  unsigned met(std::size_t node, const GeneralRay& ray) const;
+  unsigned met(std::size_t node, const Query& query, double limit) const;
 
  private:
+  /// The boxes of a node's children side by side.
+  struct alignas(64) Node {
+    using Bound = std::array<double, node_width>;
+    std::array<Bound, 3> lower{};  ///< by axis
+    std::array<Bound, 3> upper{};
+    unsigned children = 0;  ///< a bit each
+  };
+
   BoundingBox add(const PreparedScene<double>& scene, std::int32_t reference);
 
   Margin margin_;
-  bool generators_ = false;                                 ///< a surface has some
-  std::vector<std::array<BoundingBox, node_width>> nodes_;  ///< empty for children that there are not
+  bool generators_ = false;  ///< a surface has some
+  std::vector<Node> nodes_;
 };
 
 }  // namespace pyrasim
