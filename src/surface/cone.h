@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <variant>
 
 #include "surface/axial_frame.h"
 #include "surface/quadric_bounds.h"
@@ -11,7 +12,8 @@ namespace pyrasim {
 /// x^2 + y^2 = w^2, where w is the radius at the place's height.
 template <class Scalar>
 struct ConeSurface : QuadricSurfaceBase<ConeSurface, Scalar, 2> {
-  static constexpr SurfaceTraits traits{.name = "cone", .default_cost = 5, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
+  static constexpr SurfaceTraits traits{
+      .name = "cone", .default_cost = 5, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
 };
 
 /// From one circle to another; one of the radii may be 0. Capped it is a solid, else a skin, seen from inside too.
@@ -26,6 +28,7 @@ struct Cone {
 
   static Cone read(const JsonReader& reader, const SceneReading& reading);
   Prepared<ConeSurface> prepared(const Preparation& preparation) const;
+  std::variant<Cone, FramedQuadric> transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <variant>
 
 #include "surface/axial_frame.h"
 #include "surface/quadric_bounds.h"
@@ -11,7 +12,8 @@ namespace pyrasim {
 /// A circle in the frame across its axis.
 template <class Scalar>
 struct CylinderSurface : QuadricSurfaceBase<CylinderSurface, Scalar, 2> {
-  static constexpr SurfaceTraits traits{.name = "cylinder", .default_cost = 4, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
+  static constexpr SurfaceTraits traits{
+      .name = "cylinder", .default_cost = 4, .extent = Extent::bounded, .meets_itself = MeetsItself::inside};
 };
 
 /// Capped it is a solid, else a tube, seen from inside too.
@@ -25,6 +27,7 @@ struct Cylinder {
 
   static Cylinder read(const JsonReader& reader, const SceneReading& reading);
   Prepared<CylinderSurface> prepared(const Preparation& preparation) const;
+  std::variant<Cylinder, FramedQuadric> transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -20,7 +20,8 @@ namespace pyrasim {
 /// The points p with normal . p = offset.
 template <class Scalar>
 struct PlaneSurface {
-  static constexpr SurfaceTraits traits{.name = "plane", .default_cost = 1, .extent = Extent::unbounded, .meets_itself = MeetsItself::never};
+  static constexpr SurfaceTraits traits{
+      .name = "plane", .default_cost = 1, .extent = Extent::unbounded, .meets_itself = MeetsItself::never};
   using Terms = const ViewRay<Scalar>&;
   using Shading = FlatShading<Scalar>;
 
@@ -58,6 +59,8 @@ std::optional<BoundingBox> bounds(const PlaneSurface<double>& plane);
 /// as the rest of t's computation errs.
 Prepared<PlaneSurface> prepared_plane(const glm::dvec3& normal, Quadruple offset, const Preparation& preparation);
 
+class AffineMap;
+
 /// The points p with normal . p = offset. The normal has any length but zero.
 struct Plane {
   static constexpr std::string_view type = "plane";
@@ -68,6 +71,7 @@ struct Plane {
 
   static Plane read(const JsonReader& reader, const SceneReading& reading);
   Prepared<PlaneSurface> prepared(const Preparation& preparation) const;
+  Plane transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -48,7 +48,8 @@ struct TriangleShear {
 
 template <class Scalar>
 struct TriangleSurface {
-  static constexpr SurfaceTraits traits{.name = "triangle", .default_cost = 3, .extent = Extent::bounded, .meets_itself = MeetsItself::never};
+  static constexpr SurfaceTraits traits{
+      .name = "triangle", .default_cost = 3, .extent = Extent::bounded, .meets_itself = MeetsItself::never};
   using Terms = TriangleShear<Scalar>;
   using Shading = FlatShading<Scalar>;
 
@@ -89,6 +90,8 @@ std::optional<BoundingBox> bounds(const TriangleSurface<double>& triangle);
 Prepared<TriangleSurface> prepared_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                             const Lighting<double>& lighting);
 
+class AffineMap;
+
 struct Triangle {
   static constexpr std::string_view type = "triangle";
   static constexpr std::array<std::string_view, 1> keys{"vertices"};
@@ -97,6 +100,7 @@ struct Triangle {
 
   static Triangle read(const JsonReader& reader, const SceneReading& reading);
   Prepared<TriangleSurface> prepared(const Preparation& preparation) const;
+  Triangle transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 
