@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "scene/read_transform.h"
+#include "surface/transformed.h"
 #include "text/printable.h"
 
 namespace pyrasim {
@@ -54,16 +55,8 @@ class Shapes {
   /// The surface where its transforms put it.
   static SceneSurface place(const Shape& shape, const JsonReader& reader) {
     if (!shape.map) return *shape.surface;
-    const auto place = [&](const auto& surface) -> SceneSurface {
-      const auto mapped = surface.transformed(*shape.map);
-      if constexpr (std::is_constructible_v<SceneSurface, decltype(mapped)>) {
-        return mapped;
-      } else {
-        return std::visit([](const auto& alternative) { return SceneSurface(alternative); }, mapped);
-      }
-    };
     try {
-      return std::visit(place, *shape.surface);
+      return transformed(*shape.surface, *shape.map);
     } catch (const MapError& error) {
       reader.find("transform").value_or(reader).fail(error.what(), error.allowed);
     }

@@ -84,7 +84,7 @@ AffineMap::AffineMap(const QuadrupleMatrix& matrix, const QuadrupleVector& offse
   const std::string wrong = unevenness_ > 0
                                 ? fmt::format("it stretches one direction {:.3g} times as much as another", unevenness_)
                                 : "it is singular, or nearly: it flattens space";
-  throw MapError(wrong, fmt::format("{} times is allowed", max_unevenness));
+  throw MapError(wrong, fmt::format("ratios of at most {} between directions are allowed", max_unevenness));
 }
 
 AffineMap AffineMap::translation(const glm::dvec3& by) {
