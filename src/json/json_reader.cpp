@@ -145,6 +145,8 @@ std::vector<JsonReader> JsonReader::elements(std::size_t min, std::size_t max) c
   return result;
 }
 
+bool JsonReader::is_array() const { return node_->is_array(); }
+
 double JsonReader::number(const NumberRange& range) const {
   if (!node_->is_number()) fail_kind(range.text());
   const auto value = node_->get<double>();

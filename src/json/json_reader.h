@@ -80,6 +80,8 @@ class JsonReader {
   std::vector<JsonReader> elements(std::size_t min = 0,
                                    std::size_t max = std::numeric_limits<std::size_t>::max()) const;
 
+  bool is_array() const;
+
   double number(const NumberRange& range = {}) const;
   /// An integer; as in JSON Schema, 4.0 and 4e0 are the integer 4.
   std::int64_t integer(const IntegerRange& range = {}) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -14,6 +15,7 @@
 #include "json/json_file.h"
 #include "json/json_reader.h"
 #include "numeric/vectors.h"
+#include "scene/read_objects.h"
 #include "surface/reading.h"
 
 namespace pyrasim {
@@ -88,28 +90,6 @@ SingleLight read_light(const JsonReader& reader) {
   return light;
 }
 
-/// The surface that "type" names, with its own keys beside those that all objects have.
-SceneSurface read_surface(const JsonReader& reader, const SceneReading& reading) {
-  const auto read = [&]<class... Description>(std::type_identity<std::variant<Description...>>) {
-    using Read = SceneSurface (*)(const JsonReader&, const SceneReading&);
-    const Read chosen = reader.member("type").choice<Read>(
-        {{Description::type, [](const JsonReader& object, const SceneReading& with) {
-            std::vector<std::string_view> keys{"name", "type", "color", "shadow"};
-            keys.insert(keys.end(), Description::keys.begin(), Description::keys.end());
-            object.allow_keys(keys);
-            return SceneSurface(Description::read(object, with));
-          }}...});
-    return chosen(reader, reading);
-  };
-  return read(std::type_identity<SceneSurface>());
-}
-
-Object read_object(const JsonReader& reader, const SceneReading& reading) {
-  SceneSurface surface = read_surface(reader, reading);
-  return {reader.optional_string("name").value_or(""), reader.member("color").vec3(color_components),
-          std::move(surface), reader.optional_boolean("shadow").value_or(true)};
-}
-
 /// Where the meshes of the scene in `file` are looked for. The folders of open files hold nothing else.
 std::filesystem::path folder_of_meshes(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.parent_path();
@@ -124,7 +104,7 @@ Scene load_scene(const std::filesystem::path& file) { return read_scene(file, re
 
 Scene read_scene(const std::filesystem::path& file, const nlohmann::json& document) {
   const JsonReader root(file.string(), document);
-  root.allow_keys({"camera", "background", "light", "lights", "objects"});
+  root.allow_keys({"camera", "background", "light", "lights", "shapes", "objects"});
   Scene scene;
   scene.camera = read_camera(root.member("camera"));
   scene.background = root.optional_vec3("background", color_components).value_or(scene.background);
@@ -134,10 +114,8 @@ Scene read_scene(const std::filesystem::path& file, const nlohmann::json& docume
     scene.lights = read_lights(*lights);
   }
   scene.files.push_back(file.string());
-  const SceneReading reading{folder_of_meshes(file), scene.warnings, scene.files};
-  for (const JsonReader& reader : root.member("objects").elements()) {
-    scene.objects.push_back(read_object(reader, reading));
-  }
+  std::map<std::string, TriangleMesh> meshes;
+  scene.objects = read_objects(root, {folder_of_meshes(file), scene.warnings, scene.files, meshes});
   return scene;
 }
 

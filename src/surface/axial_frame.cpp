@@ -18,6 +18,12 @@ AxisSegment AxisSegment::read(const JsonReader& reader) {
 
 Quadruple AxisSegment::length() const { return pyrasim::length(difference(exactly(cap), exactly(base))); }
 
+AxisSegment AxisSegment::transformed(const AffineMap& map) const {
+  const AxisSegment mapped{mapped_point(map, base), mapped_point(map, cap)};
+  static_cast<void>(mapped_length(mapped.length()));
+  return mapped;
+}
+
 /// The axis times the world's x is across; any other direction would do as well, but this one stays what it is where a
 /// scene is mirrored or transposed.
 QuadricFrame frame_about(const AxisSegment& axis) {
@@ -29,6 +35,21 @@ QuadricFrame frame_about(const AxisSegment& axis) {
   QuadricFrame frame{{}, {across, cross(along, across), along}};
   for (std::size_t k = 0; k < 3; ++k) frame.center[k] = (base[k] + cap[k]) / 2;
   return frame;
+}
+
+FramedQuadric cut_off(const QuadricFrame& frame, const AxisSegment& axis, double radius, bool capped) {
+  FramedQuadric result{.frame = frame, .capped = capped, .convex = capped};
+  const QuadrupleVector& along = frame.axes[2];
+  const QuadrupleVector back{-along[0], -along[1], -along[2]};
+  result.clip = {{back, dot(back, exactly(axis.base))}, {along, dot(along, exactly(axis.cap))}};
+  result.enclosure = {frame.center, frame.axes};
+  const std::array<Quadruple, 3> reach{radius, radius, axis.length() / 2};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (Quadruple& x : result.enclosure->half[k]) x *= reach[k];
+  }
+  result.size = std::max(largest(axis.base), largest(axis.cap)) + radius;
+  result.tilt = 0x1p-53 * 2 * result.size / static_cast<double>(axis.length());
+  return result;
 }
 
 QuadricShape<double, 2> cut_off(const QuadricFrame& frame, const AxisSegment& axis, double radius, bool capped,

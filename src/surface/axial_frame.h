@@ -2,6 +2,7 @@
 // What cylinders and cones share: an axis between two points, flat ends, and quadrics that are round about it.
 #pragma once
 
+#include "surface/framed_quadric.h"
 #include "surface/quadric_frame.h"
 #include "surface/reading.h"
 
@@ -15,6 +16,8 @@ struct AxisSegment {
   /// Members "base" and "cap". Throws InputError.
   static AxisSegment read(const JsonReader& reader);
   Quadruple length() const;
+  /// Throws MapError.
+  AxisSegment transformed(const AffineMap& map) const;
 };
 
 /// About the middle of the axis, its third one along it; scales, signs and what follows are the caller's.
@@ -23,5 +26,8 @@ QuadricFrame frame_about(const AxisSegment& axis);
 /// Cut off at both ends, which are closed where it is `capped`, and seen by the observer. `radius`: the largest.
 QuadricShape<double, 2> cut_off(const QuadricFrame& frame, const AxisSegment& axis, double radius, bool capped,
                                 const Preparation& preparation);
+
+/// The same in the world's coordinates.
+FramedQuadric cut_off(const QuadricFrame& frame, const AxisSegment& axis, double radius, bool capped);
 
 }  // namespace pyrasim

@@ -5,6 +5,7 @@
 
 #include "numeric/vectors.h"
 #include "surface/error_bounds.h"
+#include "surface/parallelepiped.h"
 #include "surface/plane_distance.h"
 #include "surface/pov_writer.h"
 #include "surface/slope_bounds.h"
@@ -83,6 +84,16 @@ Prepared<BoxSurface> Box::prepared(const Preparation& preparation) const {
     prepared.shading.faces[k] = flat_shading(normal, preparation.lighting);
   }
   return prepared;
+}
+
+std::variant<Box, Parallelepiped> Box::transformed(const AffineMap& map) const {
+  if (!map.keeps_axes()) {
+    const glm::dvec3 size = max - min;
+    return Parallelepiped{exactly(min), {{{size.x, 0, 0}, {0, size.y, 0}, {0, 0, size.z}}}}.transformed(map);
+  }
+  const BoundingBox box = box_of(std::array{mapped_point(map, min), mapped_point(map, max)});
+  for (int axis = 0; axis < 3; ++axis) static_cast<void>(mapped_length(box.upper[axis] - box.lower[axis]));
+  return Box{box.lower, box.upper};
 }
 
 void Box::write_pov(PovWriter& pov) const { pov.object("box", min, max); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <variant>
 
 #include "numeric/compensated.h"
 #include "surface/bounding_box.h"
@@ -80,6 +81,9 @@ DistanceRange distance_range(const BoxSurface<double>& box, const Vector<double>
 std::optional<BoundingBox> slope_bounds(const BoxSurface<double>& box, double margin);
 std::optional<BoundingBox> bounds(const BoxSurface<double>& box);
 
+class AffineMap;
+struct Parallelepiped;
+
 /// A box along the world's axes, seen from outside and inside.
 struct Box {
   static constexpr std::string_view type = "box";
@@ -90,6 +94,7 @@ struct Box {
 
   static Box read(const JsonReader& reader, const SceneReading& reading);
   Prepared<BoxSurface> prepared(const Preparation& preparation) const;
+  std::variant<Box, Parallelepiped> transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

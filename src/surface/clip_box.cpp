@@ -4,19 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "numeric/quadruple.h"
-
 namespace pyrasim {
 namespace {
 
-struct ExactHalfSpace {
-  QuadrupleVector normal;  ///< of length 1
-  Quadruple offset;
-};
-
-ExactHalfSpace exact(const HalfSpace<double>& half_space) {
-  const QuadrupleVector normal = exactly(half_space.normal);
-  return {unit(normal), half_space.offset / length(normal)};
+ExactHalfSpace of_length_one(const ExactHalfSpace& half_space) {
+  return {unit(half_space.normal), half_space.offset / length(half_space.normal)};
 }
 
 /// Where three planes meet; none where they do not, or nearly do not.
@@ -43,10 +35,10 @@ bool holds(const std::vector<ExactHalfSpace>& planes, const QuadrupleVector& poi
 
 }  // namespace
 
-std::optional<BoundingBox> clip_box(std::span<const HalfSpace<double>> clip, const std::optional<BoundingBox>& box) {
+std::optional<BoundingBox> clip_box(std::span<const ExactHalfSpace> clip, const std::optional<BoundingBox>& box) {
   const BoundingBox space = box.value_or(BoundingBox{glm::dvec3(-2 * beyond_all), glm::dvec3(2 * beyond_all)});
   std::vector<ExactHalfSpace> planes;
-  for (const HalfSpace<double>& half_space : clip) planes.push_back(exact(half_space));
+  for (const ExactHalfSpace& half_space : clip) planes.push_back(of_length_one(half_space));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     QuadrupleVector normal{};
     normal[axis] = 1;

@@ -18,6 +18,20 @@ double read_radius(const JsonReader& reader) {
   return radius;
 }
 
+/// w = mean radius + slope * height, from the middle: about the apex a cone that is nearly a cylinder would be far
+/// away. Where the slope is more than 1, its axis has the length of 1.
+QuadricFrame frame_of(const Cone& cone) {
+  const auto& [axis, base_radius, cap_radius, capped] = cone;
+  QuadricFrame frame = frame_about(axis);
+  const Quadruple slope = (static_cast<Quadruple>(cap_radius) - base_radius) / axis.length();
+  const Quadruple steep = magnitude(slope);
+  const Quadruple scale = steep > 1 ? 1 / steep : 1;
+  frame.scales = {scale, scale, scale * slope};
+  frame.signs = {1, 1, -1};
+  frame.shift[2] = scale * ((static_cast<Quadruple>(base_radius) + cap_radius) / 2);
+  return frame;
+}
+
 }  // namespace
 
 Cone Cone::read(const JsonReader& reader, const SceneReading&) {
@@ -29,17 +43,15 @@ Cone Cone::read(const JsonReader& reader, const SceneReading&) {
   return cone;
 }
 
-/// w = mean radius + slope * height, from the middle: about the apex a cone that is nearly a cylinder would be far
-/// away. Where the slope is more than 1, its axis has the length of 1.
 Prepared<ConeSurface> Cone::prepared(const Preparation& preparation) const {
-  QuadricFrame frame = frame_about(axis);
-  const Quadruple slope = (static_cast<Quadruple>(cap_radius) - base_radius) / axis.length();
-  const Quadruple steep = magnitude(slope);
-  const Quadruple scale = steep > 1 ? 1 / steep : 1;
-  frame.scales = {scale, scale, scale * slope};
-  frame.signs = {1, 1, -1};
-  frame.shift[2] = scale * ((static_cast<Quadruple>(base_radius) + cap_radius) / 2);
-  return {{{cut_off(frame, axis, std::max(base_radius, cap_radius), capped, preparation)}}, {}};
+  return {{{cut_off(frame_of(*this), axis, std::max(base_radius, cap_radius), capped, preparation)}}, {}};
+}
+
+std::variant<Cone, FramedQuadric> Cone::transformed(const AffineMap& map) const {
+  const auto factor = map.similarity();
+  if (!factor) return cut_off(frame_of(*this), axis, std::max(base_radius, cap_radius), capped).transformed(map);
+  const auto mapped = [&](double radius) { return radius == 0 ? 0 : mapped_length(*factor * radius); };
+  return Cone{axis.transformed(map), mapped(base_radius), mapped(cap_radius), capped};
 }
 
 void Cone::write_pov(PovWriter& pov) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <variant>
 
 #include "surface/axial_frame.h"
 #include "surface/quadric_bounds.h"
@@ -26,6 +27,7 @@ struct Cone {
 
   static Cone read(const JsonReader& reader, const SceneReading& reading);
   Prepared<ConeSurface> prepared(const Preparation& preparation) const;
+  std::variant<Cone, FramedQuadric> transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

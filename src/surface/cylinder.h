@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <variant>
 
 #include "surface/axial_frame.h"
 #include "surface/quadric_bounds.h"
@@ -25,6 +26,7 @@ struct Cylinder {
 
   static Cylinder read(const JsonReader& reader, const SceneReading& reading);
   Prepared<CylinderSurface> prepared(const Preparation& preparation) const;
+  std::variant<Cylinder, FramedQuadric> transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -6,6 +6,7 @@
 
 #include "numeric/quadruple.h"
 #include "numeric/vectors.h"
+#include "surface/affine_map.h"
 #include "surface/error_bounds.h"
 #include "surface/plane.h"
 #include "surface/pov_writer.h"
@@ -65,6 +66,11 @@ Prepared<DiscSurface> Disc::prepared(const Preparation& preparation) const {
   }
   const auto [plane, shading] = prepared_plane(normal, offset, preparation);
   return {{plane.normal, plane.offset, preparation.frame.point(center), radius * radius}, shading};
+}
+
+Disc Disc::transformed(const AffineMap& map) const {
+  const Quadruple factor = required_similarity(map, "disc", "an ellipse");
+  return {mapped_point(map, center), rounded(unit(map.normal(exactly(normal)))), mapped_length(factor * radius)};
 }
 
 void Disc::write_pov(PovWriter& pov) const { pov.object("disc", center, normalized(normal), radius); }

@@ -52,6 +52,8 @@ DistanceRange distance_range(const DiscSurface<double>& disc, const Vector<doubl
 std::optional<BoundingBox> slope_bounds(const DiscSurface<double>& disc, double margin);
 std::optional<BoundingBox> bounds(const DiscSurface<double>& disc);
 
+class AffineMap;
+
 /// A flat disc, seen from both sides. The normal has any length but zero.
 struct Disc {
   static constexpr std::string_view type = "disc";
@@ -63,6 +65,8 @@ struct Disc {
 
   static Disc read(const JsonReader& reader, const SceneReading& reading);
   Prepared<DiscSurface> prepared(const Preparation& preparation) const;
+  /// By a similarity: else it would be an ellipse.
+  Disc transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

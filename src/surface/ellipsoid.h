@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "surface/affine_map.h"
 #include "surface/preparation.h"
 #include "surface/quadric_bounds.h"
 #include "surface/reading.h"
@@ -15,16 +16,18 @@ struct EllipsoidSurface : QuadricSurfaceBase<EllipsoidSurface, Scalar, 0> {
   static constexpr SurfaceTraits traits{.name = "ellipsoid", .default_cost = 5, .extent = Extent::bounded};
 };
 
-/// Its axes are the world's.
+/// In a scene file its axes are the world's; a transform may turn them.
 struct Ellipsoid {
   static constexpr std::string_view type = "ellipsoid";
   static constexpr std::array<std::string_view, 2> keys{"center", "radii"};
 
   glm::dvec3 center;
   glm::dvec3 radii;
+  QuadrupleMatrix axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< that the radii are along, of length 1
 
   static Ellipsoid read(const JsonReader& reader, const SceneReading& reading);
   Prepared<EllipsoidSurface> prepared(const Preparation& preparation) const;
+  Ellipsoid transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -16,7 +16,9 @@
 #include "surface/cylinder.h"
 #include "surface/disc.h"
 #include "surface/ellipsoid.h"
+#include "surface/framed_quadric.h"
 #include "surface/mesh.h"
+#include "surface/parallelepiped.h"
 #include "surface/plane.h"
 #include "surface/polygon.h"
 #include "surface/quadric.h"
@@ -26,8 +28,22 @@
 namespace pyrasim {
 
 /// What an object of a scene file may be.
-using SceneSurface =
+using WrittenSurface =
     std::variant<Sphere, Plane, Triangle, Mesh, Disc, Box, Ellipsoid, Cylinder, Cone, Quadric, Polygon>;
+
+namespace surface_list {
+
+template <class Written, class... More>
+struct Extended;
+template <class... Surface, class... More>
+struct Extended<std::variant<Surface...>, More...> {
+  using Type = std::variant<Surface..., More...>;
+};
+
+}  // namespace surface_list
+
+/// And what transforms may make of it.
+using SceneSurface = surface_list::Extended<WrittenSurface, Parallelepiped, FramedQuadric>::Type;
 
 /// What a ray may meet; the order is that of counts, of costs, and within a leaf of the hierarchy.
 template <class Scalar>

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "error.h"
+#include "mesh/degenerate.h"
 #include "mesh/load_mesh.h"
+#include "surface/affine_map.h"
 #include "surface/pov_writer.h"
 
 namespace pyrasim {
@@ -17,16 +19,29 @@ Mesh Mesh::read(const JsonReader& reader, const SceneReading& reading) {
   if (name.empty() || name.find('\0') != std::string::npos) {
     file.fail("the path is empty or holds a null character", "the path of an OBJ file is allowed");
   }
+  const std::string path = (reading.folder / name).string();
+  if (const auto known = reading.meshes.find(path); known != reading.meshes.end()) return {known->second};
   try {
-    LoadedMesh loaded = load_mesh(reading.folder / name);
-    reading.files.push_back((reading.folder / name).string());
+    LoadedMesh loaded = load_mesh(path);
+    reading.files.push_back(path);
     for (const std::string& warning : loaded.warnings) {
       reading.warnings.push_back(fmt::format("{}: {}: {}", file.file(), file.pointer(), warning));
     }
-    return {std::move(loaded.mesh)};
+    return {reading.meshes.emplace(path, std::move(loaded.mesh)).first->second};
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}: {}", file.file(), file.pointer(), error.what()));
   }
+}
+
+Mesh Mesh::transformed(const AffineMap& map) const {
+  Mesh mapped = *this;
+  for (glm::dvec3& vertex : mapped.vertices) vertex = mapped_point(map, vertex);
+  std::erase_if(mapped.triangles, [&](const auto& triangle) {
+    const auto& [a, b, c] = triangle;
+    return is_degenerate(mapped.vertices[a], mapped.vertices[b], mapped.vertices[c]);
+  });
+  if (mapped.triangles.empty()) fail_without_area();
+  return mapped;
 }
 
 void Mesh::write_pov(PovWriter& pov) const {

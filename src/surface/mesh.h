@@ -16,6 +16,8 @@ struct Mesh : TriangleMesh {
   static constexpr std::array<std::string_view, 1> keys{"file"};
 
   static Mesh read(const JsonReader& reader, const SceneReading& reading);
+  /// Triangles that rounding leaves without an area are left out.
+  Mesh transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 
   /// Calls add(prepared triangle) for each, in the order of the file.

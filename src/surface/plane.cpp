@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "numeric/vectors.h"
+#include "surface/affine_map.h"
 #include "surface/pov_writer.h"
 
 namespace pyrasim {
@@ -36,6 +37,15 @@ Prepared<PlaneSurface> Plane::prepared(const Preparation& preparation) const {
     from_observer -= static_cast<Quadruple>(normal[axis]) * preparation.frame.position()[axis];
   }
   return prepared_plane(normal, from_observer, preparation);
+}
+
+/// Its normal keeps a length about 1.
+Plane Plane::transformed(const AffineMap& map) const {
+  const QuadrupleVector mapped = map.normal(exactly(normal));
+  const Quadruple scale = 1 / pyrasim::length(mapped);
+  const glm::dvec3 direction = rounded(unit(mapped));
+  const auto away = static_cast<double>((offset + dot(mapped, map.offset())) * scale);
+  return {direction, away == 0 ? 0 : std::copysign(mapped_length(std::abs(away)), away)};
 }
 
 void Plane::write_pov(PovWriter& pov) const { pov.plane(normal, offset); }

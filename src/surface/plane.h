@@ -58,6 +58,8 @@ std::optional<BoundingBox> bounds(const PlaneSurface<double>& plane);
 /// as the rest of t's computation errs.
 Prepared<PlaneSurface> prepared_plane(const glm::dvec3& normal, Quadruple offset, const Preparation& preparation);
 
+class AffineMap;
+
 /// The points p with normal . p = offset. The normal has any length but zero.
 struct Plane {
   static constexpr std::string_view type = "plane";
@@ -68,6 +70,7 @@ struct Plane {
 
   static Plane read(const JsonReader& reader, const SceneReading& reading);
   Prepared<PlaneSurface> prepared(const Preparation& preparation) const;
+  Plane transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

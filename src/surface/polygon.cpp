@@ -8,6 +8,7 @@
 
 #include "camera/observer_frame.h"
 #include "numeric/vectors.h"
+#include "surface/affine_map.h"
 #include "surface/pov_writer.h"
 
 namespace pyrasim {
@@ -72,6 +73,17 @@ Polygon Polygon::read(const JsonReader& reader, const SceneReading&) {
   for (const JsonReader& vertex : list.elements(3, max_vertices)) polygon.vertices.push_back(vertex.vec3(coordinates));
   check(list, polygon.vertices);
   return polygon;
+}
+
+Polygon Polygon::transformed(const AffineMap& map) const {
+  Polygon mapped;
+  for (const glm::dvec3& vertex : vertices) mapped.vertices.push_back(mapped_point(map, vertex));
+  bool degenerate = true;
+  for (std::size_t k = 2; k < vertices.size(); ++k) {
+    degenerate &= is_degenerate(mapped.vertices[0], mapped.vertices[k - 1], mapped.vertices[k]);
+  }
+  if (degenerate) fail_without_area();
+  return mapped;
 }
 
 /// The triangles that the datapath holds.

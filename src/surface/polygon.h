@@ -19,6 +19,7 @@ struct Polygon {
   std::vector<glm::dvec3> vertices;  ///< once around
 
   static Polygon read(const JsonReader& reader, const SceneReading& reading);
+  Polygon transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 
   /// Calls add(prepared triangle) for each.

@@ -15,6 +15,13 @@ void PovWriter::plane(const glm::dvec3& normal, double offset) {
   object("plane", normalized(normal), static_cast<double>(offset / length(exactly(normal))));
 }
 
+void PovWriter::matrix(const std::array<glm::dvec3, 3>& axes, const glm::dvec3& origin) {
+  item("matrix");
+  text_ += " <";
+  for (const glm::dvec3& axis : axes) fmt::format_to(std::back_inserter(text_), "{}, {}, {}, ", axis.x, axis.y, axis.z);
+  fmt::format_to(std::back_inserter(text_), "{}, {}, {}>", origin.x, origin.y, origin.z);
+}
+
 void PovWriter::begin(std::string_view name) {
   item(name);
   text_ += " {";

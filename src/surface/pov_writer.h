@@ -2,6 +2,7 @@
 // What writing a surface as POV-Ray's takes.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
@@ -21,6 +22,9 @@ class PovWriter {
   }
   /// The points p with normal . p = offset; inside of it is what is less.
   void plane(const glm::dvec3& normal, double offset);
+
+  /// Where the points 1 along the axes go, less where the origin goes, and that.
+  void matrix(const std::array<glm::dvec3, 3>& axes, const glm::dvec3& origin);
 
   /// `name {`, whose items follow.
   void begin(std::string_view name);

@@ -6,8 +6,6 @@
 namespace pyrasim {
 namespace {
 
-constexpr double negligible = 0x1p-48;
-
 /// A direction and how much the matrix stretches it.
 struct Principal {
   Quadruple value;
@@ -34,7 +32,7 @@ void rotate(std::array<QuadrupleVector, 3>& matrix, std::array<QuadrupleVector, 
 }
 
 /// The largest values first, what is negligible last as 0.
-std::array<Principal, 3> principals(std::array<QuadrupleVector, 3> matrix) {
+std::array<Principal, 3> principals(std::array<QuadrupleVector, 3> matrix, double negligible) {
   std::array<QuadrupleVector, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   constexpr int sweeps = 12;  // each squares what is left
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -73,8 +71,8 @@ void gather_linear(std::array<Principal, 3>& principals, const QuadrupleVector& 
 
 }  // namespace
 
-PrincipalAxes principal_axes(const GeneralQuadric& quadric) {
-  auto found = principals(quadric.matrix);
+PrincipalAxes principal_axes(const GeneralQuadric& quadric, double negligible) {
+  auto found = principals(quadric.matrix, negligible);
   if (found[1].value == 0) gather_linear(found, quadric.linear);
   PrincipalAxes result{};
   for (const Principal& principal : found) result.divisor = std::max(result.divisor, magnitude(principal.value));
@@ -95,7 +93,7 @@ PrincipalAxes principal_axes(const GeneralQuadric& quadric) {
     constant -= linear * linear / value;
     terms += magnitude(linear * linear / value);
   }
-  if (magnitude(constant) <= 0x1p-51 * terms) constant = 0;
+  if (magnitude(constant) <= negligible / 8 * terms) constant = 0;
   const Quadruple left = found[2].value == 0 ? dot(found[2].axis, quadric.linear) : 0;
   Quadruple size = 0;
   for (const Quadruple x : quadric.linear) size = std::max(size, magnitude(x));

@@ -13,12 +13,13 @@ struct GeneralQuadric {
 };
 
 /// The frame of its principal axes about its centre or vertex, where q is what it was over `divisor`, the largest
-/// magnitude of an eigenvalue. Eigenvalues below 2^-48 of that count as 0: such a quadric is a cylinder or a
-/// paraboloid, and so does a linear term or a constant that rounding the coefficients may have left.
+/// magnitude of an eigenvalue. Eigenvalues below `negligible` times that count as 0, such a quadric is a cylinder or a
+/// paraboloid, and so does a linear term or a constant that rounding the coefficients, to double unless told otherwise,
+/// may have left.
 struct PrincipalAxes {
   QuadricFrame frame;
   Quadruple divisor;
 };
-PrincipalAxes principal_axes(const GeneralQuadric& quadric);
+PrincipalAxes principal_axes(const GeneralQuadric& quadric, double negligible = 0x1p-48);
 
 }  // namespace pyrasim

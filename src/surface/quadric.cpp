@@ -6,6 +6,7 @@
 
 #include "numeric/vectors.h"
 #include "surface/clip_box.h"
+#include "surface/framed_quadric.h"
 #include "surface/pov_writer.h"
 #include "surface/principal_axes.h"
 
@@ -49,6 +50,12 @@ Quadric::Coefficients read_coefficients(const JsonReader& reader) {
   return q;
 }
 
+std::vector<ExactHalfSpace> exact(const std::vector<HalfSpace<double>>& clip) {
+  std::vector<ExactHalfSpace> result;
+  for (const auto& [normal, offset] : clip) result.push_back({exactly(normal), offset});
+  return result;
+}
+
 void read_bound(const JsonReader& reader, double outward, std::vector<HalfSpace<double>>& clip) {
   const glm::dvec3 bound = reader.vec3(coordinates);
   for (int axis = 0; axis < 3; ++axis) {
@@ -69,7 +76,7 @@ std::vector<HalfSpace<double>> read_clip(const JsonReader& reader) {
       clip.push_back({read_direction(plane.member("normal")), plane.member("offset").number(coordinates)});
     }
   }
-  if (!clip_box(clip, {})) reader.fail("nothing is left", "the half-spaces have to have a point in common");
+  if (!clip_box(exact(clip), {})) reader.fail("nothing is left", "the half-spaces have to have a point in common");
   return clip;
 }
 
@@ -96,6 +103,24 @@ std::optional<BoundingBox> ellipsoid_box(const QuadricFrame& frame) {
   return BoundingBox{center - half, center + half};
 }
 
+FramedQuadric framed(const Quadric& quadric) {
+  const auto& q = quadric.coefficients;
+  const auto [frame, divisor] = principal_axes(general(q));
+  FramedQuadric result{.frame = frame, .clip = exact(quadric.clip), .capped = quadric.capped};
+  result.convex =
+      (quadric.capped || quadric.clip.empty()) && std::min({frame.signs[0], frame.signs[1], frame.signs[2]}) >= 0;
+  result.written = {sum_of_squares(q), sum(magnitudes({q.x, q.y, q.z})), std::abs(q.constant),
+                    static_cast<double>(divisor)};
+  result.size = largest(rounded(frame.center));
+  const bool outside = quadric.capped && frame.signs[0] < 0;
+  const auto box = clip_box(result.clip, outside ? std::nullopt : ellipsoid_box(frame));
+  if (!box || !(box->reach() < beyond_all)) return result;
+  result.size = std::max(result.size, box->reach());
+  const glm::dvec3 half = (box->upper - box->lower) / 2.0;
+  result.enclosure = {exactly(box->center()), {{{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}}};
+  return result;
+}
+
 }  // namespace
 
 Quadric Quadric::read(const JsonReader& reader, const SceneReading&) {
@@ -106,35 +131,10 @@ Quadric Quadric::read(const JsonReader& reader, const SceneReading&) {
 }
 
 Prepared<QuadricSurface> Quadric::prepared(const Preparation& preparation) const {
-  const auto [frame, divisor] = principal_axes(general(coefficients));
-  const glm::dvec3& observer = preparation.frame.position();
-  const bool outside = capped && frame.signs[0] < 0;
-  const auto box = clip_box(clip, outside ? std::nullopt : ellipsoid_box(frame));
-  const glm::dvec3 center = rounded(frame.center);
-  const bool bounded = box && box->reach() < beyond_all;
-  const double size = bounded ? std::max(largest(center), box->reach()) : largest(center);
-  // What the coefficients' own rounding changes, so far from the world's origin: of q's gradient, and of q.
-  const double reach = size + largest(observer);
-  const double linear = sum(magnitudes({coefficients.x, coefficients.y, coefficients.z}));
-  const double drift = 0x1p-53 * (2 * sum_of_squares(coefficients) * reach + linear) / static_cast<double>(divisor);
-  const double written = drift * reach + 0x1p-53 * std::abs(coefficients.constant) / static_cast<double>(divisor);
-  Prepared<QuadricSurface> prepared{};
-  auto& shape = prepared.surface.shape;
-  shape.form = prepared_form(frame, preparation, size, written);
-  shape.form.drift = drift;
-  for (const auto& [normal, offset] : clip) {
-    const double scale = std::ldexp(1.0, -std::ilogb(largest(normal)));
-    const Quadruple from_observer = offset - dot(exactly(normal), exactly(observer));
-    shape.clip[shape.clips++] = {preparation.frame.direction(normal * scale),
-                                 static_cast<double>(from_observer * scale)};
-  }
-  shape.capped = capped;
-  shape.convex = (capped || clip.empty()) && std::min({frame.signs[0], frame.signs[1], frame.signs[2]}) >= 0;
-  shape.bounded = bounded;
-  if (!shape.bounded) return prepared;
-  shape.enclosure = enclosure_along_axes(box->center(), (box->upper - box->lower) / 2.0, preparation.frame);
-  return prepared;
+  return framed(*this).prepared(preparation);
 }
+
+FramedQuadric Quadric::transformed(const AffineMap& map) const { return framed(*this).transformed(map); }
 
 /// A skin that is clipped, or what a solid has in common with half-spaces.
 void Quadric::write_pov(PovWriter& pov) const {

@@ -18,6 +18,9 @@ struct QuadricSurface : QuadricSurfaceBase<QuadricSurface, Scalar, max_clips> {
   static constexpr SurfaceTraits traits{.name = "quadric", .default_cost = 9, .extent = Extent::either};
 };
 
+class AffineMap;
+struct FramedQuadric;
+
 /// The points where xx x^2 + yy y^2 + zz z^2 + xy x y + xz x z + yz y z + x x + y y + z z + constant = 0, as far as all
 /// half-spaces have them. Capped it is a solid, where that is 0 at most, closed where it is clipped.
 struct Quadric {
@@ -36,6 +39,7 @@ struct Quadric {
 
   static Quadric read(const JsonReader& reader, const SceneReading& reading);
   Prepared<QuadricSurface> prepared(const Preparation& preparation) const;
+  FramedQuadric transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "json/json_reader.h"
+#include "mesh/triangle_mesh.h"
 #include "numeric/length_range.h"
 
 namespace pyrasim {
@@ -20,9 +22,10 @@ glm::dvec3 read_direction(const JsonReader& reader);
 
 /// What the objects of one scene are read with.
 struct SceneReading {
-  std::filesystem::path folder;        ///< where the paths of files begin
-  std::vector<std::string>& warnings;  ///< one line each
-  std::vector<std::string>& files;     ///< that the scene was read from
+  std::filesystem::path folder;                 ///< where the paths of files begin
+  std::vector<std::string>& warnings;           ///< one line each
+  std::vector<std::string>& files;              ///< that the scene was read from
+  std::map<std::string, TriangleMesh>& meshes;  ///< by path: each file is read once
 };
 
 }  // namespace pyrasim

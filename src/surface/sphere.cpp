@@ -5,6 +5,8 @@
 
 #include "numeric/quadruple.h"
 #include "numeric/vectors.h"
+#include "surface/affine_map.h"
+#include "surface/ellipsoid.h"
 #include "surface/error_bounds.h"
 #include "surface/pov_writer.h"
 #include "surface/slope_bounds.h"
@@ -123,6 +125,11 @@ Sphere Sphere::read(const JsonReader& reader, const SceneReading&) {
 Prepared<SphereSurface> Sphere::prepared(const Preparation& preparation) const {
   const double power = power_of(*this, preparation.frame.position());
   return {{preparation.frame.point(center), radius * radius, power, radius}, {}};
+}
+
+std::variant<Sphere, Ellipsoid> Sphere::transformed(const AffineMap& map) const {
+  if (const auto factor = map.similarity()) return Sphere{mapped_point(map, center), mapped_length(*factor * radius)};
+  return Ellipsoid{center, glm::dvec3(radius)}.transformed(map);
 }
 
 void Sphere::write_pov(PovWriter& pov) const { pov.object("sphere", center, radius); }

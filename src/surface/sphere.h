@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 #include "surface/bounding_box.h"
 #include "surface/distance_range.h"
@@ -52,6 +53,9 @@ DistanceRange distance_range(const SphereSurface<double>& sphere, const Vector<d
 std::optional<BoundingBox> slope_bounds(const SphereSurface<double>& sphere, double margin);
 std::optional<BoundingBox> bounds(const SphereSurface<double>& sphere);
 
+class AffineMap;
+struct Ellipsoid;
+
 struct Sphere {
   static constexpr std::string_view type = "sphere";
   static constexpr std::array<std::string_view, 2> keys{"center", "radius"};
@@ -61,6 +65,7 @@ struct Sphere {
 
   static Sphere read(const JsonReader& reader, const SceneReading& reading);
   Prepared<SphereSurface> prepared(const Preparation& preparation) const;
+  std::variant<Sphere, Ellipsoid> transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

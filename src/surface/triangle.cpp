@@ -5,6 +5,7 @@
 
 #include "mesh/degenerate.h"
 #include "numeric/vectors.h"
+#include "surface/affine_map.h"
 #include "surface/error_bounds.h"
 #include "surface/pov_writer.h"
 #include "surface/slope_bounds.h"
@@ -125,6 +126,14 @@ Prepared<TriangleSurface> Triangle::prepared(const Preparation& preparation) con
   const auto& [a, b, c] = vertices;
   const ObserverFrame& frame = preparation.frame;
   return prepared_triangle(frame.point(a), frame.point(b), frame.point(c), preparation.lighting);
+}
+
+Triangle Triangle::transformed(const AffineMap& map) const {
+  Triangle mapped = *this;
+  for (glm::dvec3& vertex : mapped.vertices) vertex = mapped_point(map, vertex);
+  const auto& [a, b, c] = mapped.vertices;
+  if (is_degenerate(a, b, c)) fail_without_area();
+  return mapped;
 }
 
 void Triangle::write_pov(PovWriter& pov) const { pov.object("triangle", vertices[0], vertices[1], vertices[2]); }

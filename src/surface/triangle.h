@@ -89,6 +89,8 @@ std::optional<BoundingBox> bounds(const TriangleSurface<double>& triangle);
 Prepared<TriangleSurface> prepared_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                             const Lighting<double>& lighting);
 
+class AffineMap;
+
 struct Triangle {
   static constexpr std::string_view type = "triangle";
   static constexpr std::array<std::string_view, 1> keys{"vertices"};
@@ -97,6 +99,7 @@ struct Triangle {
 
   static Triangle read(const JsonReader& reader, const SceneReading& reading);
   Prepared<TriangleSurface> prepared(const Preparation& preparation) const;
+  Triangle transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
 

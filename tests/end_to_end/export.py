@@ -125,6 +125,22 @@ class RandomScene:
             document["light"] = {"ambient": self.random.choice([0, 1, self.between(0, 1)]), "direction": self.vector(3)}
         return document
 
+    def transformed(self, document):
+        """The same scene with each surface turned, mirrored or sheared about a place before the observer."""
+        for thing in document["objects"]:
+            place = self.place()
+            back = {"translate": [-x for x in place]}
+            steps = [{"rotate": {"axis": self.unit(), "degrees": self.between(-180, 180)}}]
+            if thing["type"] == "disc" or self.chance(0.3):
+                steps.append({"scale": self.random.choice([-1, 1]) * self.between(0.6, 1.5)})
+            elif self.chance():
+                steps.append({"scale": [self.random.choice([-1, 1]) * self.between(0.4, 1.8) for _ in range(3)]})
+            else:
+                steps.append({"matrix": [[self.between(-0.5, 0.5) + (i == j) for j in range(3)] + [0]
+                                         for i in range(3)]})
+            thing["transform"] = [back, *steps, {"translate": place}]
+        return document
+
     def sphere(self):
         return {"center": self.place(), "radius": self.between(0.1, 2)}
 
@@ -261,6 +277,8 @@ def randomly(folder):
     for seed in range(RANDOM_SCENES):
         scene = RandomScene(seed, folder)
         document = scene.document()
+        if seed % 4 < 2:
+            document = scene.transformed(document)
         yield scene.name, in_light_and_shadow(document, scene.random) if seed % 2 else document, (64, 48)
 
 

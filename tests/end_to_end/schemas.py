@@ -60,6 +60,25 @@ class Schemas(tool.EndToEnd):
             (["lights", 0, "color"], [1, 1]), (["lights", 0, "falloff"], "none"), (["lights", 1, "shadow"], True),
             (["lights", 2, "falloff"], "cubic"), (["lights", 2, "intensity"], -1), (["objects", 0, "shadow"], 1)])
 
+    def test_transforms(self):
+        """The schema and the program are of one mind."""
+        validator = schema("scene")
+        scene = tool.scene()
+        scene["shapes"] = {"s": {"type": "sphere", "center": [0, 0, 0], "radius": 1, "transform": {"scale": [1, -2, 3]}},
+                           "t": {"type": "instance", "of": "s"}}
+        scene["objects"].append({"type": "instance", "of": "t", "color": [1, 1, 1], "transform": [
+            {"scale": 2}, {"rotate": {"axis": [0, 1, 0], "degrees": 30}}, {"translate": [9, 0, 0]},
+            {"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}]})
+        self.ok("check", self.write("transforms.json", scene))
+        last = len(scene["objects"]) - 1
+        changes = [(["objects", last, "transform", *path], value) for path, value in (
+            ([0, "scale"], 0), ([0, "scale"], [1, 1]), ([0], {}), ([1, "rotate", "degrees"], None), ([0, "turn"], 1),
+            ([1, "rotate", "axis"], [1, 1]), ([2, "translate"], 1), ([3, "matrix"], [[1, 0, 0, 0]] * 2), ([], []))]
+        changes += [(["shapes", "s", "color"], [1, 1, 1]), (["objects", last, "of"], None), (["shapes", "s", "type"], "x")]
+        self.assert_refused(validator, scene, changes)
+        for path, value in changes:
+            self.refused(tool.INPUT, "check", self.write("wrong.json", changed(scene, path, value)), says="wrong.json: /")
+
     def test_machines(self):
         validator = schema("machine")
         files = sorted(MACHINES.glob("*.json"))

@@ -185,6 +185,9 @@ class NaiveRenderer {
     return 0;
   }
   static double distance(const Mesh&, const glm::dvec3&) { return 0; }
+  /// Random scenes have no transforms.
+  static double distance(const Parallelepiped&, const glm::dvec3&) { return 0; }
+  static double distance(const FramedQuadric&, const glm::dvec3&) { return 0; }
 
   const Scene& scene_;
   int max_level_;

@@ -154,7 +154,7 @@ TEST_F(LoadSceneError, WrongTypes) {
   EXPECT_EQ(error_with("/objects/0/type", "\"cube\""),
             ": /objects/0/type: \"cube\" is unknown; one of \"sphere\", \"plane\", \"triangle\", \"mesh\", \"disc\", "
             "\"box\", \"ellipsoid\", \"cylinder\", \"cone\", \"quadric\", "
-            "\"polygon\" is allowed");
+            "\"polygon\", \"instance\" is allowed");
   EXPECT_EQ(error_with("/objects/2/vertices", "[[0, 0, 0], [1, 1, 1]]"),
             ": /objects/2/vertices: it has 2 elements; an array of 3 elements is allowed");
   EXPECT_EQ(error_with("/light", "null"), ": /light: it is null; an object is allowed");

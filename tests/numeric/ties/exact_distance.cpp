@@ -196,6 +196,10 @@ std::optional<Real> distance(const Polygon& polygon, const WorldRay& ray) {
 
 std::optional<Real> distance(const Mesh&, const WorldRay&) { return std::nullopt; }
 
+/// What transforms make of surfaces is compared with the surfaces themselves, met by rays that are mapped back.
+std::optional<Real> distance(const Parallelepiped&, const WorldRay&) { return std::nullopt; }
+std::optional<Real> distance(const FramedQuadric&, const WorldRay&) { return std::nullopt; }
+
 }  // namespace
 
 WorldRay::WorldRay(const Camera& camera, const glm::dvec3& view_vector) : origin(written(camera.position)) {

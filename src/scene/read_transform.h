@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "json/json_reader.h"
+#include "surface/affine_map.h"
+
+namespace pyrasim {
+
+/// The member "transform": steps applied in order, or one alone. Throws InputError.
+AffineMap read_transform(const JsonReader& reader);
+
+}  // namespace pyrasim
