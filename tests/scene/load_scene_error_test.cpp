@@ -50,19 +50,20 @@ class LoadSceneError : public TempFolderTest {
 TEST_F(LoadSceneError, TheGoodSceneIsGood) { EXPECT_EQ(text_error(good_scene().dump()), "(no error)"); }
 
 TEST_F(LoadSceneError, UnknownKeys) {
-  EXPECT_EQ(error_with("/lights", "[]"), ": /lights: unknown key; allowed keys: camera, background, light, objects");
+  EXPECT_EQ(error_with("/lamps", "[]"),
+            ": /lamps: unknown key; allowed keys: camera, background, light, lights, shapes, objects");
   EXPECT_EQ(error_with("/camera/fov", "1"), ": /camera/fov: unknown key; allowed keys: position, look_at, up, screen");
   EXPECT_EQ(error_with("/camera/screen/width", "1"),
             ": /camera/screen/width: unknown key; allowed keys: columns, rows, dx, dy, dz, horizontal_fov");
   EXPECT_EQ(error_with("/light/color", "1"), ": /light/color: unknown key; allowed keys: ambient, direction");
   EXPECT_EQ(error_with("/objects/0/normal", "1"),
-            ": /objects/0/normal: unknown key; allowed keys: name, type, color, center, radius");
+            ": /objects/0/normal: unknown key; allowed keys: name, type, color, shadow, transform, center, radius");
   EXPECT_EQ(error_with("/objects/1/radius", "1"),
-            ": /objects/1/radius: unknown key; allowed keys: name, type, color, normal, offset");
+            ": /objects/1/radius: unknown key; allowed keys: name, type, color, shadow, transform, normal, offset");
   EXPECT_EQ(error_with("/objects/2/radius", "1"),
-            ": /objects/2/radius: unknown key; allowed keys: name, type, color, vertices");
+            ": /objects/2/radius: unknown key; allowed keys: name, type, color, shadow, transform, vertices");
   EXPECT_EQ(error_with("/objects/0", R"({"type": "mesh", "file": "m.obj", "color": [1, 1, 1], "x": 0})"),
-            ": /objects/0/x: unknown key; allowed keys: name, type, color, file");
+            ": /objects/0/x: unknown key; allowed keys: name, type, color, shadow, transform, file");
 }
 
 TEST_F(LoadSceneError, MissingKeys) {
