@@ -42,7 +42,7 @@ struct ShadowWork {
 
 /// The work that one ray or one frame took: what the machine pays cycles for. Its own tests are those of view rays.
 struct Work : Tests {
-  ShadowWork shadow;
+  ShadowWork shadow{};
 
   Work& operator+=(const Work& other) {
     Tests::operator+=(other);

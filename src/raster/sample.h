@@ -19,7 +19,7 @@ struct Seen {
 /// What a ray brings back. Two words, which a function returns in registers.
 struct Sample {
   Seen seen;
-  Shading shading;
+  Shading shading{};
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 

@@ -31,7 +31,8 @@ std::array<glm::dvec3, 8> corners_of(const BoxSurface<double>& box) {
   return corners;
 }
 
-/// The planes of a slab's faces: normals are axes, and offsets are read, less the observer's place.
+/// The planes of a slab's faces: normals are axes, or known to a rounding, and offsets are read, less the observer's
+/// place.
 BoundingPlane face(const Slab<double>& slab, double offset, double size, const RoundingUnits& rounding) {
   return {slab.normal, offset, 3 * largest(slab.normal) * rounding.written(size)};
 }

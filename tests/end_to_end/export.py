@@ -127,8 +127,8 @@ class RandomScene:
 
     def transformed(self, document):
         """The same scene with each surface turned, mirrored or sheared about a place before the observer."""
+        place = [e + 9 * f for e, f in zip(self.eye, self.forward)]
         for thing in document["objects"]:
-            place = self.place()
             back = {"translate": [-x for x in place]}
             steps = [{"rotate": {"axis": self.unit(), "degrees": self.between(-180, 180)}}]
             if thing["type"] == "disc" or self.chance(0.3):

@@ -51,19 +51,19 @@ TEST_F(LoadSceneError, TheGoodSceneIsGood) { EXPECT_EQ(text_error(good_scene().d
 
 TEST_F(LoadSceneError, UnknownKeys) {
   EXPECT_EQ(error_with("/lamps", "[]"),
-            ": /lamps: unknown key; allowed keys: camera, background, light, lights, objects");
+            ": /lamps: unknown key; allowed keys: camera, background, light, lights, shapes, objects");
   EXPECT_EQ(error_with("/camera/fov", "1"), ": /camera/fov: unknown key; allowed keys: position, look_at, up, screen");
   EXPECT_EQ(error_with("/camera/screen/width", "1"),
             ": /camera/screen/width: unknown key; allowed keys: columns, rows, dx, dy, dz, horizontal_fov");
   EXPECT_EQ(error_with("/light/color", "1"), ": /light/color: unknown key; allowed keys: ambient, direction");
   EXPECT_EQ(error_with("/objects/0/normal", "1"),
-            ": /objects/0/normal: unknown key; allowed keys: name, type, color, shadow, center, radius");
+            ": /objects/0/normal: unknown key; allowed keys: name, type, color, shadow, transform, center, radius");
   EXPECT_EQ(error_with("/objects/1/radius", "1"),
-            ": /objects/1/radius: unknown key; allowed keys: name, type, color, shadow, normal, offset");
+            ": /objects/1/radius: unknown key; allowed keys: name, type, color, shadow, transform, normal, offset");
   EXPECT_EQ(error_with("/objects/2/radius", "1"),
-            ": /objects/2/radius: unknown key; allowed keys: name, type, color, shadow, vertices");
+            ": /objects/2/radius: unknown key; allowed keys: name, type, color, shadow, transform, vertices");
   EXPECT_EQ(error_with("/objects/0", R"({"type": "mesh", "file": "m.obj", "color": [1, 1, 1], "x": 0})"),
-            ": /objects/0/x: unknown key; allowed keys: name, type, color, shadow, file");
+            ": /objects/0/x: unknown key; allowed keys: name, type, color, shadow, transform, file");
 }
 
 /// The message for lights in place of the good scene's light.

@@ -110,11 +110,14 @@ TEST_F(Transforms, Mistakes) {
   EXPECT_EQ(with(R"({"rotate": {"axis": [0, 0, 0], "degrees": 1}})"),
             at + "/rotate/axis: the vector is zero; a component of at least 1e-30 in magnitude is needed");
   EXPECT_EQ(with(R"({"matrix": [[1, 1, 0, 0], [1, 1, 0, 0], [0, 0, 1, 0]]})"),
-            at + "/matrix: it is singular, or nearly: it flattens space; ratios of at most 1000000 between directions are allowed");
+            at + "/matrix: it is singular, or nearly: it flattens space; ratios of at most 1000000 between directions "
+                 "are allowed");
   EXPECT_EQ(with(R"({"scale": [1, 1, 3e6]})"),
-            at + "/scale: it stretches one direction 3e+06 times as much as another; ratios of at most 1000000 between directions are allowed");
+            at + "/scale: it stretches one direction 3e+06 times as much as another; ratios of at most 1000000 between "
+                 "directions are allowed");
   EXPECT_EQ(with(R"([{"scale": [1, 1, 2000]}, {"scale": [1e-3, 1, 1]}])"),
-            at + ": it stretches one direction 2e+06 times as much as another; ratios of at most 1000000 between directions are allowed");
+            at + ": it stretches one direction 2e+06 times as much as another; ratios of at most 1000000 between "
+                 "directions are allowed");
   EXPECT_EQ(with(R"({"scale": 2, "translate": [1, 1, 1]})"),
             at + ": it has 2 members; one of scale, rotate, translate, matrix is allowed");
   EXPECT_EQ(with(R"({"turn": 2})"), at + "/turn: unknown key; allowed keys: scale, rotate, translate, matrix");

@@ -12,6 +12,9 @@ namespace {
 struct Kind {
   const char* name;
   double gate;  ///< of the 99th percentile of errors, ulp
+  /// The same of the mapped ones, more of whose rays run near outlines: as many ulp in float as in double, so that they
+  /// are those of the kernel.
+  double askew_gate;
   SceneSurface (*about)(const glm::dvec3& center);
 };
 
@@ -35,31 +38,31 @@ SceneSurface clipped(const glm::dvec3& squares, double linear, double constant, 
 }
 
 /// All numbers have few digits in binary, so that even coefficients at the world's origin are what they should be.
-const std::array<Kind, 7> kinds{{{"ellipsoid", 8,
+const std::array<Kind, 7> kinds{{{"ellipsoid", 8, 8,
                                   [](const glm::dvec3& c) -> SceneSurface {
                                     return Ellipsoid{c, {1, 2, 0.5}};
                                   }},
-                                 {"cylinder", 8,
+                                 {"cylinder", 8, 8,
                                   [](const glm::dvec3& c) -> SceneSurface {
                                     return Cylinder{{c - glm::dvec3(1, 0.5, 1), c + glm::dvec3(1, 0.5, 1)}, 0.75};
                                   }},
-                                 {"cone", 8,
+                                 {"cone", 8, 8,
                                   [](const glm::dvec3& c) -> SceneSurface {
                                     return Cone{{c - glm::dvec3(1, 0.5, 1), c + glm::dvec3(1, 0.5, 1)}, 1, 0.25};
                                   }},
-                                 {"paraboloid", 8,
+                                 {"paraboloid", 8, 8,
                                   [](const glm::dvec3& c) -> SceneSurface {
                                     return clipped({1, 1, 0}, 1, -1, c);
                                   }},
-                                 {"hyperboloid of one sheet", 8,
+                                 {"hyperboloid of one sheet", 8, 16,
                                   [](const glm::dvec3& c) -> SceneSurface {
                                     return clipped({1, 1, -1}, 0, -0.25, c);
                                   }},
-                                 {"hyperboloid of two sheets", 8,
+                                 {"hyperboloid of two sheets", 8, 16,
                                   [](const glm::dvec3& c) -> SceneSurface {
                                     return clipped({1, 1, -1}, 0, 0.25, c);
                                   }},
-                                 {"saddle", 32, [](const glm::dvec3& c) -> SceneSurface {
+                                 {"saddle", 32, 64, [](const glm::dvec3& c) -> SceneSurface {
                                     return clipped({1, -1, 0}, 1, 0, c);
                                   }}}};
 
@@ -160,7 +163,7 @@ void expect_few_units(bool askew = false) {
       print_figure(fmt::format("{}{}, 1e5 from the origin, {} away: p99", askew ? "askew " : "", kind.name, distance),
                    format_of<Scalar>(),
                    fmt::format("{:.1f} ulp of {} hits, {} wrong", most, found.in_units.size(), found.wrong));
-      EXPECT_LE(most, kind.gate) << kind.name;
+      EXPECT_LE(most, askew ? kind.askew_gate : kind.gate) << kind.name;
       EXPECT_EQ(found.wrong, 0) << kind.name;
     }
   }
