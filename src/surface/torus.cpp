@@ -31,6 +31,13 @@ double side_of(const Torus& torus, const QuadrupleVector& axis, const glm::dvec3
 
 double outer_radius(const TorusSurface<double>& torus) { return torus.major + torus.minor; }
 
+/// Of the observer, from the surface.
+double distance_of_origin(const TorusSurface<double>& torus) {
+  const double height = dot(torus.axis, torus.center);
+  const double from_axis = length(torus.center - torus.axis * height);
+  return std::abs(std::hypot(from_axis - torus.major, height) - torus.minor);
+}
+
 /// Of the prism with eight sides about the torus.
 std::array<glm::dvec3, 16> corners_about(const TorusSurface<double>& torus) {
   const glm::dvec3& axis = torus.axis;
@@ -112,8 +119,9 @@ double displacement(const TorusSurface<double>& torus, const RoundingUnits& roun
          22 * 0x1p-53 * outer_radius(torus);
 }
 
-/// The torus grown by as much, and the torus shrunk: rays that surely meet it meet the smaller one, before they meet
-/// its surface they have met the larger one's.
+/// The torus grown by as much, and the torus shrunk: rays that surely meet it meet the smaller one, and before they
+/// meet its surface they have met the larger one's; from inside it is the other way round. An observer so close that he
+/// stands in the larger one may meet it at once.
 FirstHitRange first_hit_range(const TorusSurface<double>& torus, const Vector<double>& direction, double displacement) {
   const ViewRay<double> ray(direction);
   const auto hit = [&](double by) {
@@ -123,10 +131,13 @@ FirstHitRange first_hit_range(const TorusSurface<double>& torus, const Vector<do
   };
   const double outward = hit(displacement);
   const double inward = hit(-displacement);
+  const bool leaves = torus.side < 0 || (torus.side == 0 && inward > 0 && inward < outward);
   FirstHitRange first;
-  const double nearer = torus.side < 0 ? inward : outward;
-  const double further = torus.side < 0 ? outward : inward;
-  if (nearer > 0) first.add({nearer, further > 0 ? further : infinity}, further > 0);
+  if (leaves) {
+    first.add({inward, outward}, inward > 0);
+  } else if (outward > 0 || distance_of_origin(torus) < displacement) {
+    first.add({outward, inward > 0 ? inward : infinity}, inward > 0);
+  }
   return first;
 }
 
