@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "surface/bounding_box.h"
 #include "surface/curved_shading.h"
@@ -17,7 +18,7 @@ namespace pyrasim {
 
 template <class Scalar>
 struct TorusSurface {
-  static constexpr SurfaceTraits traits{.name = "torus", .default_cost = 30, .extent = Extent::bounded};
+  static constexpr SurfaceTraits traits{.name = "torus", .default_cost = 22, .extent = Extent::bounded};
   using Terms = const ViewRay<Scalar>&;
   using Shading = NoShading<Scalar>;
 
@@ -81,62 +82,86 @@ Scalar parabola_root(const Expansion<Scalar>& f, Scalar negative, Scalar positiv
   return negative + ((positive > negative ? root : -root) - f.slope) / f.curvature;
 }
 
-/// Where f first has the other sign than at the ray's origin, of the places at which it may turn: there is one root
-/// between that place and the one before. Looks no further than the sphere about the torus reaches.
+/// Where f first has another sign than at the ray's origin, given places at which it may turn: between that place and
+/// the one before there is one root. Beyond `end` f is positive.
 template <class Scalar>
 class TorusSearch {
  public:
-  TorusSearch(const TorusAlongRay<Scalar>& f, Scalar origin, bool inside)
-      : f_(f), inside_(inside), from_(std::max(origin, f.sphere_begin())), end_(f.sphere_end()) {}
+  using Along = TorusAlongRay<Scalar>;
+  TorusSearch(const Along& f, Scalar begin, Scalar end, bool inside)
+      : f_(f), inside_(inside), from_(begin), end_(end) {}
 
-  /// Whether the root is behind `place`; else looks on from there. Places come in order.
-  bool passes(Scalar place) {
-    if (found_ || !(place > from_)) return found_;
-    place = std::min(place, end_);
-    const Expansion<Scalar> there = f_(place);
-    found_ = inside_ ? there.value >= Scalar(0) || place == end_ : there.value <= Scalar(0);
-    if (!found_) {
-      from_ = place;
-    } else if (inside_) {
-      root_ = bracketed_root(f_, place, from_, parabola_root(f_(from_), from_, place));
-    } else {
-      root_ = bracketed_root(f_, from_, place, parabola_root(there, place, from_));
+  /// Whether the root is before `place`; else looks on from there. Places come in order.
+  bool passes(const typename Along::Place& place) {
+    if (!(place.s > from_)) return false;
+    const bool changes = inside_ ? place.f.value >= Scalar(0) : place.f.value <= Scalar(0);
+    if (!changes) {
+      from_ = std::min(place.s, end_);
+      return false;
     }
-    return found_;
+    const Scalar to = std::min(place.s, end_);
+    root_ = inside_ ? bracketed_root(f_, to, from_, parabola_root(f_(from_), from_, to))
+                    : bracketed_root(f_, from_, to, parabola_root(place.f, place.s, from_));
+    return true;
   }
+  /// As if `end` were such a place.
+  void end() { root_ = bracketed_root(f_, end_, from_, parabola_root(f_(from_), from_, end_)); }
 
-  bool found() const { return found_; }
   Scalar root() const { return root_; }
 
  private:
-  const TorusAlongRay<Scalar>& f_;
+  const Along& f_;
   bool inside_;
   Scalar from_;
   Scalar end_;
-  bool found_ = false;
   Scalar root_{0};
 };
 
-/// The smallest t > 0 at which a ray meets the surface, or 0 where there is none. From inside there always is one. Of
-/// an observer on the surface the place that he stands on does not count: he looks into the tube, or away from it.
+/// From within the tube there is a root ahead.
+template <class Scalar>
+Scalar root_from_inside(const TorusAlongRay<Scalar>& f, Scalar begin, Scalar end) {
+  TorusSearch<Scalar> search(f, begin, end, true);
+  if (!search.passes(f.first_least(false)) && !search.passes(f.greatest()) && !search.passes(f.last_least(false))) {
+    search.end();
+  }
+  return search.root();
+}
+
+/// From outside.
+template <class Scalar>
+std::optional<Scalar> root_from_outside(const TorusAlongRay<Scalar>& f, Scalar begin, Scalar end) {
+  const bool first_is_lower = f.first_is_lower();
+  const auto lower = first_is_lower ? f.first_least(true) : f.last_least(true);
+  if (lower.f.value > Scalar(0) && lower.s > begin) return std::nullopt;
+  TorusSearch<Scalar> search(f, begin, end, false);
+  if (search.passes(first_is_lower ? lower : f.first_least(true))) return search.root();
+  if (search.passes(first_is_lower ? f.last_least(true) : lower)) return search.root();
+  return std::nullopt;
+}
+
+/// The smallest t > 0 at which a ray meets the surface, or 0 where there is none. Of an observer on the surface the
+/// place that he stands on does not count: he looks into the tube, or away from it.
 ///
 /// Not inlined into the walk, which all other surfaces share.
 template <class Scalar>
 [[gnu::noinline]] Scalar first_hit(const TorusSurface<Scalar>& torus, const ViewRay<Scalar>& ray) {
-  const TorusAlongRay<Scalar> f(torus, ray);
-  const Scalar origin = -f.start();
-  const bool ahead = f.meets_sphere() && f.sphere_end() > origin;
+  using std::sqrt;  // or that of the number format
+  const CenteredRay<Scalar> about(torus.center, torus.major + torus.minor, ray);
+  const Scalar half_chord = sqrt(std::max(about.room, Scalar(0)) * ray.inverse_length_squared);
+  const Scalar end = about.nearest + half_chord;
+  const Scalar origin = -about.start;
+  const bool ahead = about.room >= Scalar(0) && end > origin;
   if (torus.side > Scalar(0) && !ahead) return Scalar(0);
+  const TorusAlongRay<Scalar> f(torus, about);
   const bool inside = torus.side < Scalar(0) || (torus.side == Scalar(0) && f(origin).slope < Scalar(0));
-  TorusSearch<Scalar> search(f, origin, inside);
-  if (origin < f.waist()) search.passes(f.first_least());
-  if (!search.found()) search.passes(inside ? f.greatest() : f.waist());
-  if (!search.found()) search.passes(f.last_least());
-  if (!search.found() && inside) search.passes(f.sphere_end());
-  if (!search.found() && !inside) return Scalar(0);
-  const Scalar t = f.start() + search.root();
-  if (t > Scalar(0) || !inside) return std::max(t, Scalar(0));
-  return std::max(epsilon<Scalar>() * torus.major, std::numeric_limits<Scalar>::denorm_min());  // the wall before him
+  const Scalar begin = std::max(origin, about.nearest - half_chord);
+  if (inside) {
+    const Scalar t = about.start + root_from_inside(f, begin, end);
+    const Scalar least = std::max(epsilon<Scalar>() * torus.major, std::numeric_limits<Scalar>::denorm_min());
+    return std::max(t, least);  // the wall is before him, however near
+  }
+  const std::optional<Scalar> root = root_from_outside(f, begin, end);
+  return root ? std::max(about.start + *root, Scalar(0)) : Scalar(0);
 }
 
 template <class Scalar>

@@ -19,38 +19,52 @@
 
 namespace pyrasim {
 
-/// Places along the ray are values of its parameter less `start()`, that of where it comes nearest to the centre,
+/// A ray about a centre. Places along it are values of its parameter less `start`, that of where it comes nearest,
 /// nearly: the parameter there is rounded once, and what is worked out from it is about the rounded one.
+template <class Scalar>
+struct CenteredRay {
+  const Vector<Scalar>& direction;
+  Scalar inverse_length_squared;
+  Scalar start;
+  Vector<Scalar> place;  ///< at start, from the centre
+  Scalar nearest;        ///< where it really is
+  Scalar room;           ///< the square of a radius less that of the distance there
+
+  CenteredRay(const Vector<Scalar>& center, Scalar radius, const ViewRay<Scalar>& ray)
+      : direction(ray.direction),
+        inverse_length_squared(ray.inverse_length_squared),
+        start(dot(center, direction) * inverse_length_squared),
+        place(direction * start - center),
+        nearest(-(dot(place, direction) * inverse_length_squared)) {
+    const Vector<Scalar> from_center = place + direction * nearest;
+    room = radius * radius - dot(from_center, from_center);
+  }
+};
+
 template <class Scalar>
 class TorusAlongRay {
  public:
   template <class Torus>
-  TorusAlongRay(const Torus& torus, const ViewRay<Scalar>& ray)
+  TorusAlongRay(const Torus& torus, const CenteredRay<Scalar>& ray)
       : major_(torus.major),
         minor_squared_(torus.minor * torus.minor),
-        start_(dot(torus.center, ray.direction) * ray.inverse_length_squared),
-        place_(ray.direction * start_ - torus.center),
-        height_(dot(torus.axis, place_)),
+        nearest_(ray.nearest),
+        height_(dot(torus.axis, ray.place)),
         rise_(dot(torus.axis, ray.direction)),
-        across_(place_ - torus.axis * height_),
+        across_(ray.place - torus.axis * height_),
         moving_(ray.direction - torus.axis * rise_),
         moving_squared_(dot(moving_, moving_)),
-        length_squared_(moving_squared_ + rise_ * rise_),
-        nearest_(-(dot(place_, ray.direction) * ray.inverse_length_squared)) {
+        length_squared_(moving_squared_ + rise_ * rise_) {
     using std::sqrt;  // or that of the number format
-    const Vector<Scalar> from_center = place_ + ray.direction * nearest_;
-    const Scalar reach = torus.major + torus.minor;
-    room_ = reach * reach - dot(from_center, from_center);
-    half_chord_ = sqrt(std::max(room_, Scalar(0)) * ray.inverse_length_squared);
     waist_ = moving_squared_ > Scalar(0) ? -(dot(across_, moving_) / moving_squared_) : nearest_;
     steepest_ = major_ * sqrt(moving_squared_) * ray.inverse_length_squared;
   }
 
-  Scalar start() const { return start_; }
-  /// Whether the ray meets the sphere about the torus, and between which places.
-  bool meets_sphere() const { return room_ >= Scalar(0); }
-  Scalar sphere_begin() const { return nearest_ - half_chord_; }
-  Scalar sphere_end() const { return nearest_ + half_chord_; }
+  /// A place, and f there.
+  struct Place {
+    Scalar s;
+    Expansion<Scalar> f;
+  };
 
   Expansion<Scalar> operator()(Scalar s) const {
     using std::sqrt;
@@ -61,59 +75,56 @@ class TorusAlongRay {
     const Scalar value = (beyond * beyond + height * height) - minor_squared_;
     if (!(rho > Scalar(0))) return {value, height * rise_, -length_squared_};  // on the axis: f has a ridge
     const Scalar rho_slope = dot(across, moving_) / rho;
-    const Scalar rho_curvature = (moving_squared_ - rho_slope * rho_slope) / rho;
-    return {value, beyond * rho_slope + height * rise_, length_squared_ - major_ * rho_curvature};
+    const Scalar bend = major_ * (moving_squared_ - rho_slope * rho_slope) / rho;  // R rho''
+    return {value, beyond * rho_slope + height * rise_, length_squared_ - bend};
   }
 
-  /// Where the ray comes nearest to the axis.
-  Scalar waist() const { return waist_; }
-  /// The first and the last minimum of f, or the waist where there is none before, or after it.
-  Scalar first_least() const { return least(nearest_ - steepest_); }
-  Scalar last_least() const { return least(nearest_ + steepest_); }
+  /// The first and the last minimum of f, or the waist where there is none before, or after it. Where `any` place will
+  /// do at which f is not positive it may be one on the way there.
+  Place first_least(bool any) const { return least(nearest_ - steepest_, any); }
+  Place last_least(bool any) const { return least(nearest_ + steepest_, any); }
+  /// Whether the first one is not higher than the last. With the axis behind s0, rho is larger at s0 - x than at s0 +
+  /// x, and f, in which nothing else differs there, is less.
+  bool first_is_lower() const { return !(waist_ < nearest_); }
 
   /// The maximum of f between its minima, or the waist where there is none.
-  Scalar greatest() const {
-    Scalar s = waist_;
+  Place greatest() const {
+    Place at{waist_, (*this)(waist_)};
     bool after = false;
-    for (int step = 0; step < most_steps; ++step) {
-      const auto [value, slope, curvature] = (*this)(s);
-      if (!(curvature < Scalar(0))) return waist_;
-      const Scalar next = s - slope / curvature;
-      if (step == 0) after = next > s;
-      if (after ? !(next > s) : !(next < s)) return s;
-      s = next;
+    for (int step = 0; step < most_steps && at.f.curvature < Scalar(0); ++step) {
+      const Scalar next = at.s - at.f.slope / at.f.curvature;
+      if (step == 0) after = next > at.s;
+      if (after ? !(next > at.s) : !(next < at.s)) break;
+      at = {next, (*this)(next)};
     }
-    return s;
+    return at;
   }
 
  private:
   /// From `s` towards the waist.
-  Scalar least(Scalar s) const {
+  Place least(Scalar s, bool any) const {
     const bool before = s < waist_;
     for (int step = 0; step < most_steps; ++step) {
-      const auto [value, slope, curvature] = (*this)(s);
-      if (!(curvature > Scalar(0))) return waist_;
-      const Scalar next = s - slope / curvature;
-      if (before ? !(next > s) : !(next < s)) return s;
-      if (before ? !(next < waist_) : !(next > waist_)) return waist_;
+      const Expansion<Scalar> f = (*this)(s);
+      if (any && f.value <= Scalar(0)) return {s, f};
+      if (!(f.curvature > Scalar(0))) break;
+      const Scalar next = s - f.slope / f.curvature;
+      if (before ? !(next > s) : !(next < s)) return {s, f};
+      if (before ? !(next < waist_) : !(next > waist_)) break;
       s = next;
     }
-    return s;
+    return {waist_, (*this)(waist_)};
   }
 
   Scalar major_;
   Scalar minor_squared_;
-  Scalar start_;
-  Vector<Scalar> place_;   ///< at start(), from the centre
-  Scalar height_;          ///< z
+  Scalar nearest_;         ///< s0
+  Scalar height_;          ///< z at the ray's start
   Scalar rise_;            ///< its change along the ray
-  Vector<Scalar> across_;  ///< from the axis
+  Vector<Scalar> across_;  ///< from the axis, there
   Vector<Scalar> moving_;  ///< its change along the ray
   Scalar moving_squared_;  ///< m^2
   Scalar length_squared_;  ///< a
-  Scalar nearest_;         ///< s0
-  Scalar room_;            ///< the sphere's radius squared less that of the ray's distance from the centre
-  Scalar half_chord_;      ///< of the sphere
   Scalar waist_;           ///< w
   Scalar steepest_;        ///< R m / a
 };

@@ -37,22 +37,37 @@ Polynomial<Number> product(const Polynomial<Number>& p, const Polynomial<Number>
   return result;
 }
 
+template <class Number>
+Polynomial<double> in_double(const Polynomial<Number>& p) {
+  Polynomial<double> result;
+  for (const Number& coefficient : p) result.push_back(static_cast<double>(coefficient));
+  return result;
+}
+
 /// The root between `low` and `high`, where p has different signs: Newton's method, or by halves where that leaves
-/// them.
+/// them. Real numbers begin where doubles end.
 template <class Number>
 Number root_between(const Polynomial<Number>& p, const Polynomial<Number>& slope, Number low, Number high) {
   using std::abs;
-  const Number fine(std::is_same_v<Number, double> ? 0x1p-53 : 0x1p-490);
+  constexpr bool is_double = std::is_same_v<Number, double>;
+  const Number fine(is_double ? 0x1p-47 : 0x1p-490);
+  const Number size = fine * (abs(low) + abs(high));
   const bool rises = value_at(p, low) < Number(0);
   Number x = (low + high) / Number(2);
-  for (int step = 0; step < 4000; ++step) {
+  if constexpr (!is_double) {
+    const Number nearly(
+        root_between(in_double(p), in_double(slope), static_cast<double>(low), static_cast<double>(high)));
+    if (nearly > low && nearly < high) x = nearly;
+  }
+  for (int step = 0; step < 1000; ++step) {
     const Number value = value_at(p, x);
     ((value < Number(0)) == rises ? low : high) = x;
     const Number steepness = value_at(slope, x);
-    Number next = steepness == Number(0) ? low : x - value / steepness;
-    if (!(next > low && next < high)) next = (low + high) / Number(2);
-    if (!(abs(next - x) > fine * (abs(low) + abs(high)))) return next;
-    x = next;
+    const Number newton = steepness == Number(0) ? low : x - value / steepness;
+    if (!(abs(newton - x) > size)) return x;
+    const bool between = newton > low && newton < high;
+    x = between ? newton : (low + high) / Number(2);
+    if (!(high - low > size)) return x;
   }
   return x;
 }
