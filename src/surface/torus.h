@@ -127,15 +127,12 @@ Scalar root_from_inside(const TorusAlongRay<Scalar>& f, Scalar begin, Scalar end
   return search.root();
 }
 
-/// From outside.
+/// From outside. An observer on the surface has a root at `begin`, next to which f may be negative by its rounding: for
+/// him only the minima themselves count.
 template <class Scalar>
-std::optional<Scalar> root_from_outside(const TorusAlongRay<Scalar>& f, Scalar begin, Scalar end) {
-  const bool first_is_lower = f.first_is_lower();
-  const auto lower = first_is_lower ? f.first_least(true) : f.last_least(true);
-  if (lower.f.value > Scalar(0) && lower.s > begin) return std::nullopt;
+std::optional<Scalar> root_from_outside(const TorusAlongRay<Scalar>& f, Scalar begin, Scalar end, bool on_surface) {
   TorusSearch<Scalar> search(f, begin, end, false);
-  if (search.passes(first_is_lower ? lower : f.first_least(true))) return search.root();
-  if (search.passes(first_is_lower ? f.last_least(true) : lower)) return search.root();
+  if (search.passes(f.first_least(!on_surface)) || search.passes(f.last_least(!on_surface))) return search.root();
   return std::nullopt;
 }
 
@@ -160,7 +157,7 @@ template <class Scalar>
     const Scalar least = std::max(epsilon<Scalar>() * torus.major, std::numeric_limits<Scalar>::denorm_min());
     return std::max(t, least);  // the wall is before him, however near
   }
-  const std::optional<Scalar> root = root_from_outside(f, begin, end);
+  const std::optional<Scalar> root = root_from_outside(f, begin, end, torus.side == Scalar(0));
   return root ? std::max(about.start + *root, Scalar(0)) : Scalar(0);
 }
 

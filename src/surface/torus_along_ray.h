@@ -83,9 +83,6 @@ class TorusAlongRay {
   /// do at which f is not positive it may be one on the way there.
   Place first_least(bool any) const { return least(nearest_ - steepest_, any); }
   Place last_least(bool any) const { return least(nearest_ + steepest_, any); }
-  /// Whether the first one is not higher than the last. With the axis behind s0, rho is larger at s0 - x than at s0 +
-  /// x, and f, in which nothing else differs there, is less.
-  bool first_is_lower() const { return !(waist_ < nearest_); }
 
   /// The maximum of f between its minima, or the waist where there is none.
   Place greatest() const {

@@ -122,8 +122,8 @@ TYPED_TEST(WorkOf, ARayIsThatOfAPlainWalk) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const int size = static_cast<int>(seed * seed);
     const int quadrics = seed > 6 ? 3 * size : 0;
-    const Scene scene =
-        random_scene(seed, {size, 2 * size, seed % 3 == 0 ? 2 : 0, size, size, quadrics, quadrics / 3}, 64, 64);
+    const Scene scene = random_scene(
+        seed, {size, 2 * size, seed % 3 == 0 ? 2 : 0, size, size, quadrics, seed > 9 ? size / 4 : 0}, 64, 64);
     const SceneIntersector<TypeParam> intersector(scene);
     std::mt19937_64 random(seed);
     for (int k = 0; k < 500; ++k, ++rays) {

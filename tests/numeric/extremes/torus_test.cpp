@@ -15,6 +15,9 @@ Torus torus_about(Random& random, const glm::dvec3& center) {
           std::max(decimal(major * std::exp2(random.uniform(-4, 0))), 0.05)};
 }
 
+/// Far out a double holds no decimal numbers.
+glm::dvec3 whole(const glm::dvec3& v) { return {std::round(v.x), std::round(v.y), std::round(v.z)}; }
+
 /// Of the torus' tube: the middle, somewhere.
 glm::dvec3 middle_of_tube(Random& random, const Torus& torus) {
   return torus.center + normalized(cross(torus.axis, random.unit_vector())) * torus.major_radius;
@@ -51,11 +54,11 @@ Found from_far(double distance, double origin) {
   Random random(41);
   Found found;
   for (int k = 0; k < 60; ++k) {
-    const glm::dvec3 center = decimal(random.unit_vector() * origin);
+    const glm::dvec3 center = whole(random.unit_vector() * origin);
     const Torus torus = torus_about(random, center);
     Scene scene = empty_scene(1, 1, 1);
     scene.camera = decimal_camera(random, 0);
-    scene.camera.position = decimal(center + random.unit_vector() * (distance * torus.major_radius));
+    scene.camera.position = center + whole(random.unit_vector() * std::ceil(distance * torus.major_radius + 2));
     scene.camera.look_at = center;
     scene.objects = {object(torus)};
     const auto tester = make_every_hit(scene, format);
