@@ -18,7 +18,7 @@ namespace pyrasim {
 
 template <class Scalar>
 struct TorusSurface {
-  static constexpr SurfaceTraits traits{.name = "torus", .default_cost = 22, .extent = Extent::bounded};
+  static constexpr SurfaceTraits traits{.name = "torus", .default_cost = 25, .extent = Extent::bounded};
   using Terms = const ViewRay<Scalar>&;
   using Shading = NoShading<Scalar>;
 
