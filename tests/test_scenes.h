@@ -35,6 +35,7 @@ struct RandomContents {
   int discs = 0;
   int boxes = 0;
   int quadrics = 0;  ///< each kind of them in turn
+  int tori = 0;
 };
 
 /// A paraboloid, a hyperboloid of one sheet or two, or an ellipsoid about `middle`, within a box of half its size.
@@ -113,6 +114,13 @@ inline Scene random_scene(std::uint64_t seed, const RandomContents& contents, in
   }
   for (int k = 0; k < contents.quadrics; ++k)
     scene.objects.push_back(object(random_quadric(random, place(), k), color()));
+  for (int k = 0; k < contents.tori; ++k) {
+    const glm::dvec3 center = place();
+    const glm::dvec3 axis = random_vector(random, glm::dvec3(-1), glm::dvec3(1));
+    const double major = std::uniform_real_distribution<double>(0.1, 1.2)(random);
+    const double minor = major * std::uniform_real_distribution<double>(0.1, 1)(random);
+    scene.objects.push_back(object(Torus{center, axis, major, minor}, color()));
+  }
   for (std::size_t k = scene.objects.size(); k > 1; --k) std::swap(scene.objects[k - 1], scene.objects[random() % k]);
   return scene;
 }

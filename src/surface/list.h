@@ -23,13 +23,14 @@
 #include "surface/polygon.h"
 #include "surface/quadric.h"
 #include "surface/sphere.h"
+#include "surface/torus.h"
 #include "surface/triangle.h"
 
 namespace pyrasim {
 
 /// What an object of a scene file may be.
 using WrittenSurface =
-    std::variant<Sphere, Plane, Triangle, Mesh, Disc, Box, Ellipsoid, Cylinder, Cone, Quadric, Polygon>;
+    std::variant<Sphere, Plane, Triangle, Mesh, Disc, Box, Ellipsoid, Cylinder, Cone, Quadric, Polygon, Torus>;
 
 namespace surface_list {
 
@@ -47,9 +48,10 @@ using SceneSurface = surface_list::Extended<WrittenSurface, Parallelepiped, Fram
 
 /// What a ray may meet; the order is that of counts, of costs, and within a leaf of the hierarchy.
 template <class Scalar>
-using SurfaceTypes = std::tuple<SphereSurface<Scalar>, PlaneSurface<Scalar>, TriangleSurface<Scalar>,
-                                DiscSurface<Scalar>, BoxSurface<Scalar>, EllipsoidSurface<Scalar>,
-                                CylinderSurface<Scalar>, ConeSurface<Scalar>, QuadricSurface<Scalar>>;
+using SurfaceTypes =
+    std::tuple<SphereSurface<Scalar>, PlaneSurface<Scalar>, TriangleSurface<Scalar>, DiscSurface<Scalar>,
+               BoxSurface<Scalar>, EllipsoidSurface<Scalar>, CylinderSurface<Scalar>, ConeSurface<Scalar>,
+               QuadricSurface<Scalar>, TorusSurface<Scalar>>;
 
 inline constexpr std::size_t surface_kinds = std::tuple_size_v<SurfaceTypes<double>>;
 

@@ -16,7 +16,8 @@ from tool import SCENES
 
 RANDOM_SCENES = 50
 LARGEST_ERROR = 1 / 4096
-SURFACES = ("sphere", "plane", "triangle", "disc", "box", "ellipsoid", "cylinder", "cone", "quadric", "polygon", "mesh")
+SURFACES = ("sphere", "plane", "triangle", "disc", "box", "ellipsoid", "cylinder", "cone", "quadric", "polygon",
+            "torus", "mesh")
 
 
 def povray(scene, columns, rows):
@@ -120,7 +121,7 @@ class RandomScene:
             "background": [self.between(0, 1) for _ in range(3)],
             "objects": [{"name": f"{kind} ü */ \\\n#error", "type": kind, **getattr(self, kind)(),
                          "color": [self.between(0.2, 1) for _ in range(3)]}
-                        for kind in kinds[: self.random.randrange(3, 15)]]}
+                        for kind in kinds[: self.random.randrange(3, 16)]]}
         if self.chance(0.8):
             document["light"] = {"ambient": self.random.choice([0, 1, self.between(0, 1)]), "direction": self.vector(3)}
         return document
@@ -131,7 +132,7 @@ class RandomScene:
         for thing in document["objects"]:
             back = {"translate": [-x for x in place]}
             steps = [{"rotate": {"axis": self.unit(), "degrees": self.between(-180, 180)}}]
-            if thing["type"] == "disc" or self.chance(0.3):
+            if thing["type"] in ("disc", "torus") or self.chance(0.3):
                 steps.append({"scale": self.random.choice([-1, 1]) * self.between(0.6, 1.5)})
             elif self.chance():
                 steps.append({"scale": [self.random.choice([-1, 1]) * self.between(0.4, 1.8) for _ in range(3)]})
@@ -150,7 +151,7 @@ class RandomScene:
 
     def triangle(self):
         place = self.place()
-        return {"vertices": [self.near(place, 2) for _ in range(3)]}
+        return {"vertices": [self.near(place, 3) for _ in range(3)]}
 
     def disc(self):
         return {"center": self.place(), "normal": self.vector(1), "radius": self.between(0.3, 2)}
@@ -201,6 +202,11 @@ class RandomScene:
         corners = self.random.randrange(3, 9)
         turns = [(k + self.between(-0.3, 0.3)) * 2 * math.pi / corners for k in range(corners)]
         return {"vertices": [[c + math.cos(t) * u + math.sin(t) * v for c, u, v in zip(center, a, b)] for t in turns]}
+
+    def torus(self):
+        major = self.between(0.4, 1.8)
+        return {"center": self.place(), "axis": self.vector(1), "major_radius": major,
+                "minor_radius": major * self.between(0.1, 0.9)}
 
     def mesh(self):
         """A bent octahedron."""

@@ -111,7 +111,7 @@ class Schemas(tool.EndToEnd):
                 yield path, node
 
         found = list(settings(document, []))
-        self.assertEqual(len(found), 46)
+        self.assertEqual(len(found), 47)
         for path, node in found:
             def file_with(value, path=path):
                 nested = value

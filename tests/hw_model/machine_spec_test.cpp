@@ -48,7 +48,7 @@ TEST_F(LoadMachine, EveryKeyOfAFile) {
     "view_vector_generator": {"latency": 4, "interval": 5},
     "intersection": {"units": 6, "latency": 7,
                      "cost": {"ray": 8, "box_test": 9, "sphere": 10, "plane": 11, "triangle": 0, "disc": 24, "box": 25, "ellipsoid": 26,
-                              "cylinder": 27, "cone": 28, "quadric": 29}},
+                              "cylinder": 27, "cone": 28, "quadric": 29, "torus": 30}},
     "pyramid_classifier": {"latency": 12, "interval": 13},
     "subdivision_controller": {"latency": 14, "interval": 15, "pool": 16},
     "color_unit": {"latency": 24, "interval": 25},
@@ -65,7 +65,8 @@ TEST_F(LoadMachine, EveryKeyOfAFile) {
   EXPECT_EQ(spec.intersection_latency, 7U);
   EXPECT_EQ(spec.intersection_cost.ray, 8U);
   EXPECT_EQ(spec.intersection_cost.box_test, 9U);
-  EXPECT_EQ(spec.intersection_cost.surface_test, (std::array<Cycle, surface_kinds>{10, 11, 0, 24, 25, 26, 27, 28, 29}));
+  EXPECT_EQ(spec.intersection_cost.surface_test,
+            (std::array<Cycle, surface_kinds>{10, 11, 0, 24, 25, 26, 27, 28, 29, 30}));
   EXPECT_EQ(spec.pyramid_classifier.latency, 12U);
   EXPECT_EQ(spec.pyramid_classifier.interval, 13U);
   EXPECT_EQ(spec.subdivision_controller.latency, 14U);

@@ -11,7 +11,7 @@
 namespace pyrasim {
 namespace {
 
-Scene mixed_scene(std::uint64_t seed) { return random_scene(seed, {25, 40, 2, 20, 20, 40}, 8, 8); }
+Scene mixed_scene(std::uint64_t seed) { return random_scene(seed, {25, 40, 2, 20, 20, 40, 20}, 8, 8); }
 
 /// A scene in one format, for rays from anywhere.
 template <class Scalar>
@@ -72,7 +72,7 @@ void expect_what_every_test_finds(int scenes, int rays_each) {
       }
       hits += expected ? 1 : 0;
       for (const std::uint64_t kind : work.surface_tests) tests += kind;
-      all_tests += 147;
+      all_tests += 167;
     }
   }
   EXPECT_GT(hits, scenes * rays_each / 4);
@@ -146,6 +146,9 @@ Scene decimal_scene(Scene scene) {
       for (auto& half_space : quadric->clip) {
         half_space = {decimal(half_space.normal), decimal(half_space.offset)};
       }
+    } else if (auto* torus = std::get_if<Torus>(&object.surface)) {
+      *torus = {decimal(torus->center), decimal(torus->axis), decimal(torus->major_radius),
+                std::min(decimal(torus->minor_radius), decimal(torus->major_radius))};
     }
   }
   return scene;

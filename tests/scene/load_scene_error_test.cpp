@@ -154,7 +154,7 @@ TEST_F(LoadSceneError, WrongTypes) {
   EXPECT_EQ(error_with("/objects/0/type", "\"cube\""),
             ": /objects/0/type: \"cube\" is unknown; one of \"sphere\", \"plane\", \"triangle\", \"mesh\", \"disc\", "
             "\"box\", \"ellipsoid\", \"cylinder\", \"cone\", \"quadric\", "
-            "\"polygon\", \"instance\" is allowed");
+            "\"polygon\", \"torus\", \"instance\" is allowed");
   EXPECT_EQ(error_with("/objects/2/vertices", "[[0, 0, 0], [1, 1, 1]]"),
             ": /objects/2/vertices: it has 2 elements; an array of 3 elements is allowed");
   EXPECT_EQ(error_with("/light", "null"), ": /light: it is null; an object is allowed");
@@ -172,6 +172,19 @@ TEST_F(LoadSceneError, DiscsWithoutNormalOrRadius) {
   const std::string disc = R"({"type": "disc", "center": [0, 0, 0], "color": [1, 1, 1], )";
   EXPECT_EQ(error_with("/objects/0", disc + R"("normal": [0, 0, 0], "radius": 1})").find(": /objects/0/normal: "), 0U);
   EXPECT_EQ(error_with("/objects/0", disc + R"("normal": [0, 0, 1], "radius": 0})").find(": /objects/0/radius: "), 0U);
+}
+
+TEST_F(LoadSceneError, ToriThatMeetThemselvesOrHaveNoAxis) {
+  const std::string torus = R"({"type": "torus", "center": [0, 0, 0], "color": [1, 1, 1], )";
+  EXPECT_EQ(error_with("/objects/0", torus + R"("axis": [0, 0, 1], "major_radius": 1, "minor_radius": 1.5})"),
+            ": /objects/0/minor_radius: 1.5 is more than major_radius, and the tube would meet itself; at most 1 is "
+            "allowed");
+  EXPECT_EQ(error_with("/objects/0", torus + R"("axis": [0, 0, 0], "major_radius": 2, "minor_radius": 1})")
+                .find(": /objects/0/axis: "),
+            0U);
+  EXPECT_EQ(error_with("/objects/0", torus + R"("axis": [0, 0, 1], "major_radius": 2, "minor_radius": 0})")
+                .find(": /objects/0/minor_radius: "),
+            0U);
 }
 
 TEST_F(LoadSceneError, EllipsoidsWithoutRadii) {

@@ -61,7 +61,9 @@ TEST_F(LoadScene, ReadsEverything) {
                  "capped": false, "color": [1, 0, 0]},
                 {"type": "quadric", "coefficients": {"xx": 1, "yz": -2, "z": 3, "constant": -1}, "capped": true,
                  "clip": {"min": [-1, -2, -3], "planes": [{"normal": [0, 2, 0], "offset": 4}]}, "color": [1, 0, 0]},
-                {"type": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "color": [1, 0, 0]}]})");
+                {"type": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "color": [1, 0, 0]},
+                {"type": "torus", "center": [1, 2, 3], "axis": [0, 2, 0], "major_radius": 2, "minor_radius": 2,
+                 "color": [1, 0, 0]}]})");
   EXPECT_EQ(scene.camera.position, glm::dvec3(1, 2, 3));
   EXPECT_EQ(scene.camera.look_at, glm::dvec3(4, 5, 6));
   EXPECT_EQ(scene.camera.up, glm::dvec3(0, 0, 2));
@@ -69,7 +71,7 @@ TEST_F(LoadScene, ReadsEverything) {
   ASSERT_TRUE(scene.light);
   EXPECT_EQ(scene.light->ambient, 0.25);
   EXPECT_EQ(scene.light->direction, glm::dvec3(1, -1, 0.5));
-  ASSERT_EQ(scene.objects.size(), 11U);
+  ASSERT_EQ(scene.objects.size(), 12U);
   EXPECT_EQ(scene.objects[0].name, "ball");
   EXPECT_EQ(scene.objects[0].color, glm::dvec3(0.9, 0.5, 0.2));
   EXPECT_EQ(std::get<Sphere>(scene.objects[0].surface).center, glm::dvec3(5, 0, 0));
@@ -109,6 +111,11 @@ TEST_F(LoadScene, ReadsEverything) {
   EXPECT_EQ(quadric.clip[3].normal, glm::dvec3(0, 2, 0));
   EXPECT_EQ(quadric.clip[3].offset, 4);
   EXPECT_EQ(std::get<Polygon>(scene.objects[10].surface).vertices.size(), 4U);
+  const auto& torus = std::get<Torus>(scene.objects[11].surface);
+  EXPECT_EQ(torus.center, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(torus.axis, glm::dvec3(0, 2, 0));
+  EXPECT_EQ(torus.major_radius, 2);
+  EXPECT_EQ(torus.minor_radius, 2);
 }
 
 TEST_F(LoadScene, ReadsLights) {
@@ -188,7 +195,7 @@ TEST_P(ShippedScene, LoadsWithoutWarnings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
-                         testing::Values("keel", "spheres", "fins", "blocks", "quadrics", "shadows", "bunny"),
+                         testing::Values("keel", "spheres", "fins", "blocks", "quadrics", "shadows", "tori", "bunny"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 TEST(ShippedScenes, KeelsFinAndRudderAreOneFlatObjectEach) {

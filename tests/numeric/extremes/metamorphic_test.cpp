@@ -55,6 +55,9 @@ Scene mapped(Scene scene, const Map& map) {
       cone->axis = {map(cone->axis.base), map(cone->axis.cap)};
     } else if (auto* quadric = std::get_if<Quadric>(&object.surface)) {
       map_quadric(*quadric, map);
+    } else if (auto* torus = std::get_if<Torus>(&object.surface)) {
+      torus->center = map(torus->center);
+      torus->axis = map(torus->axis);
     }
   }
   return scene;
@@ -76,7 +79,7 @@ Image rearranged(const Image& image, int columns, int rows, const Source& source
 constexpr int columns = 26;
 constexpr int rows = 19;
 
-Scene lit_scene(std::uint64_t seed) { return random_scene(seed, {9, 9, 1, 5, 5, 8}, columns, rows); }
+Scene lit_scene(std::uint64_t seed) { return random_scene(seed, {9, 9, 1, 5, 5, 8, 5}, columns, rows); }
 
 TEST(ExtremesMetamorphic, MirroredScenesMakeMirroredPictures) {
   const Scene scene = lit_scene(41);

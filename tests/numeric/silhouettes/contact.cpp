@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../torus_oracle.h"
 #include "error_bound.h"
 #include "surface/distance_range.h"
 
@@ -186,6 +187,17 @@ Meeting<Number> meet(const Surface& surface, const Number& y, const Number& z) {
   return QuadricMeeting<Number>(QuadricView(surface.shape), y, z).hit(surface.shape.capped);
 }
 
+template <class Number>
+Meeting<Number> meet(const TorusSurface<double>& torus, const Number& y, const Number& z) {
+  const auto triple = [](const Vector<double>& v) {
+    return std::array<Number, 3>{Number(v.x), Number(v.y), Number(v.z)};
+  };
+  const TorusOracle<Number> oracle{triple(torus.center), triple(torus.axis), Number(torus.major), Number(torus.minor)};
+  const std::array<Number, 3> direction{Number(1), y, z};
+  const auto t = oracle.first_hit(direction);
+  return {{oracle.least_distance(direction), 0, 0}, t ? *t : oracle.nearest(direction), t.has_value()};
+}
+
 /// Which triangles may be hit: those whose vertices' bounds, by the rounding of sheared vertices wider, hold the ray.
 /// One that was left out wrongly would be one that cannot explain a difference.
 class Nearby {
@@ -317,6 +329,15 @@ Verdict verdict(const Surface& surface, const Ray& ray, const Contact& contact, 
   const Surface scaled = surface.template mapped<double>(Scaling{rounding.exponent});
   const FirstHitRange first =
       quadric_bound(QuadricView(scaled.shape), contact.margins[0] * factor * factor, ray, rounding);
+  const auto behind = [&](double t) { return contact.behind + (t / factor - contact.t); };
+  return {first.possible(), first.certain(), {}, behind(first.range().lowest), behind(first.range().highest), 0, 0};
+}
+
+/// Likewise, the torus in the datapath's unit.
+Verdict verdict(const TorusSurface<double>& torus, const Ray& ray, const Contact& contact, const Rounding& rounding) {
+  const double factor = std::ldexp(1.0, rounding.exponent);
+  const auto scaled = torus.mapped<double>(Scaling{rounding.exponent});
+  const FirstHitRange first = torus_bound(scaled, contact.margins[0] * factor, ray, rounding);
   const auto behind = [&](double t) { return contact.behind + (t / factor - contact.t); };
   return {first.possible(), first.certain(), {}, behind(first.range().lowest), behind(first.range().highest), 0, 0};
 }

@@ -17,7 +17,8 @@ struct Contact {
   SurfaceIdentity identity;
   bool hit;
   std::array<double, 3> margins;  ///< discriminant, centre along the ray | n . d | edge functions |
-                                  ///< n . d, room within the rim | way inside, to the exit
+                                  ///< n . d, room within the rim | way inside, to the exit |
+                                  ///< least distance from the tube
   double t;                       ///< of the hit; of the nearest approach or the triangle's plane where there is none
   double behind;                  ///< t - that of the nearest hit
 };

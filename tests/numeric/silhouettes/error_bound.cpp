@@ -333,6 +333,22 @@ FirstHitRange quadric_bound(const QuadricView& quadric, double discriminant, con
   return first_hit_range(steps.roots(kept), kept, quadric.capped);
 }
 
+/// The slopes' errors move the ray's places by as much times the way there. Where the torus grown or shrunk by that is
+/// hit is worked out in double, a few roundings of which are added.
+FirstHitRange torus_bound(const TorusSurface<double>& torus, double least, const Ray& ray, const Rounding& rounding) {
+  const Triple slopes = slope_errors(ray, rounding);
+  const double away = std::sqrt(dot(torus.center, torus.center)) + torus.major + torus.minor;
+  const double moved =
+      displacement_of_kernel(torus, {rounding.relative, rounding.absolute}) + away * std::hypot(slopes[1], slopes[2]);
+  FirstHitRange bound;
+  if (least > moved) return bound;
+  const Triple d = direction(ray);
+  const FirstHitRange first = first_hit_range(torus, {d[0], d[1], d[2]}, moved + 0x1p-48 * away);
+  const DistanceRange range = first.possible() ? first.range() : DistanceRange{away / 8, infinity};
+  bound.add(range, least < -moved);
+  return bound;
+}
+
 TriangleBound error_bound(const TriangleSurface<double>& triangle, const std::array<double, 3>& edges, double t,
                           const Ray& ray, const Rounding& rounding) {
   const ShearedVertices sheared(triangle, ray, rounding);

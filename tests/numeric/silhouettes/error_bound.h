@@ -10,6 +10,7 @@
 #include "surface/quadric_bounds.h"
 #include "surface/quadric_range.h"
 #include "surface/surface.h"
+#include "surface/torus.h"
 
 namespace pyrasim::silhouettes {
 
@@ -45,6 +46,10 @@ BoxBound error_bound(const BoxSurface<double>& box, const Ray& ray, const Roundi
 /// Of QuadricShape::intersect(): where it may be hit first. The quadric is in the datapath's unit, and `discriminant`,
 /// likewise, is exact.
 FirstHitRange quadric_bound(const QuadricView& quadric, double discriminant, const Ray& ray, const Rounding& rounding);
+
+/// Of TorusSurface::intersect(): where it may be hit first. The torus is in the datapath's unit, and so is `least`, the
+/// ray's least distance from the middle of its tube less the tube's radius, which is exact.
+FirstHitRange torus_bound(const TorusSurface<double>& torus, double least, const Ray& ray, const Rounding& rounding);
 
 /// Of TriangleSurface::intersect(): of the three edge functions, whose signs decide, and the range of t, where it
 /// counts as hit.

@@ -30,6 +30,9 @@ ExactScene::ExactScene(const Scene& scene) : prepared_(prepare_scene(scene, {}))
                                      [](const auto& slab) { return slab.lower > 0 || slab.upper < 0; });
     require(outside, "error bounds are for an observer outside of boxes");
   }
+  for (const auto& torus : surfaces_of<TorusSurface>(prepared_)) {
+    require(torus.side > 0, "error bounds are for an observer outside of tori");
+  }
   find_extents();
   find_neighbors();
 }

@@ -201,6 +201,24 @@ Case quadric(Random& random, double reach) {
   return {scene, frame.point(center + random.vector(-1, 1) * size)};
 }
 
+/// Thick and thin, small and large, and around the observer; met anywhere, and where rays touch the tube.
+Case torus(Random& random, double reach) {
+  Scene scene = seen_from(random, reach);
+  const double distance = power(random, 0, 7);
+  const glm::dvec3 center = ahead(random, scene.camera, distance);
+  const glm::dvec3 axis = decimal(random.unit_vector() * power(random, 0, 3));
+  const double major = std::max(decimal(distance * power(random, -6, 0.3)), 0.02);
+  const double minor = std::max(decimal(major * power(random, -4, 0)), 0.01);
+  scene.objects = {object(Torus{center, axis, major, minor})};
+  const ObserverFrame frame(scene.camera);
+  // Across the axis to the middle of the tube, and from there anywhere within it, or across the way to there.
+  const glm::dvec3 middle = center + normalized(cross(axis, random.unit_vector())) * major;
+  const double part = random.below(3) == 0 ? 1 - power(random, -50, -4) : random.uniform(0, 1);
+  glm::dvec3 aside = random.unit_vector();
+  if (random.below(2) == 0) aside = normalized(cross(middle - scene.camera.position, aside));
+  return {scene, frame.point(middle + aside * (minor * part))};
+}
+
 struct Tightness {
   int hits = 0;
   int coarsely_known = 0;
@@ -264,6 +282,7 @@ TEST(DistanceRange, HoldsTheExactHitOfAnEllipsoid) { expect_ranges("ellipsoid", 
 TEST(DistanceRange, HoldsTheExactHitOfACylinder) { expect_ranges("cylinder", cylinder, false); }
 TEST(DistanceRange, HoldsTheExactHitOfACone) { expect_ranges("cone", cone, false); }
 TEST(DistanceRange, HoldsTheExactHitOfAQuadric) { expect_ranges("quadric", quadric, false); }
+TEST(DistanceRange, HoldsTheExactHitOfATorus) { expect_ranges("torus", torus, false); }
 
 }  // namespace
 }  // namespace pyrasim

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "../torus_oracle.h"
+
 namespace pyrasim {
 namespace {
 
@@ -192,6 +194,13 @@ std::optional<Real> distance(const Polygon& polygon, const WorldRay& ray) {
   std::optional<Real> nearest;
   for (std::size_t k = 2; k < v.size() && !nearest; ++k) nearest = distance(Triangle{{v[0], v[k - 1], v[k]}}, ray);
   return nearest;
+}
+
+std::optional<Real> distance(const Torus& torus, const WorldRay& ray) {
+  const auto triple = [](const RealVector& v) { return std::array<Real, 3>{v.x, v.y, v.z}; };
+  const TorusOracle<Real> oracle{triple(written(torus.center) - ray.origin), triple(written(torus.axis)),
+                                 written(torus.major_radius), written(torus.minor_radius)};
+  return oracle.first_hit(triple(ray.direction));
 }
 
 std::optional<Real> distance(const Mesh&, const WorldRay&) { return std::nullopt; }
