@@ -60,7 +60,6 @@ double displacement(const TorusSurface<double>& torus, const RoundingUnits& roun
 FirstHitRange first_hit_range(const TorusSurface<double>& torus, const Vector<double>& direction, double displacement);
 
 class AffineMap;
-class PovWriter;
 
 /// A ring: a circle about an axis, and all that lies within `minor_radius` of it. Seen from outside and inside.
 struct Torus {
@@ -74,7 +73,7 @@ struct Torus {
 
   static Torus read(const JsonReader& reader, const SceneReading& reading);
   Prepared<TorusSurface> prepared(const Preparation& preparation) const;
-  /// By similarities only. Throws MapError.
+  /// By a similarity: else it would be no torus.
   Torus transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
 };
@@ -128,7 +127,8 @@ class TorusSearch {
 template <class Scalar>
 Scalar root_from_inside(const TorusAlongRay<Scalar>& f, Scalar begin, Scalar end) {
   TorusSearch<Scalar> search(f, begin, end, true);
-  if (!search.passes(f.first_least(false)) && !search.passes(f.greatest()) && !search.passes(f.last_least(false))) {
+  const Scalar none = std::numeric_limits<Scalar>::max();
+  if (!search.passes(f.first_least(none)) && !search.passes(f.greatest()) && !search.passes(f.last_least(none))) {
     search.end();
   }
   return search.root();
@@ -139,7 +139,8 @@ Scalar root_from_inside(const TorusAlongRay<Scalar>& f, Scalar begin, Scalar end
 template <class Scalar>
 std::optional<Scalar> root_from_outside(const TorusAlongRay<Scalar>& f, Scalar begin, Scalar end, bool on_surface) {
   TorusSearch<Scalar> search(f, begin, end, false);
-  if (search.passes(f.first_least(!on_surface)) || search.passes(f.last_least(!on_surface))) return search.root();
+  const Scalar enough = on_surface ? std::numeric_limits<Scalar>::max() : begin;
+  if (search.passes(f.first_least(enough)) || search.passes(f.last_least(enough))) return search.root();
   return std::nullopt;
 }
 

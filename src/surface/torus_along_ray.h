@@ -79,10 +79,10 @@ class TorusAlongRay {
     return {value, beyond * rho_slope + height * rise_, length_squared_ - bend};
   }
 
-  /// The first and the last minimum of f, or the waist where there is none before, or after it. Where `any` place will
-  /// do at which f is not positive it may be one on the way there.
-  Place first_least(bool any) const { return least(nearest_ - steepest_, any); }
-  Place last_least(bool any) const { return least(nearest_ + steepest_, any); }
+  /// The first and the last minimum of f, or the waist where there is none before, or after it. Any place on the way
+  /// there will do that comes after `enough` and at which f is not positive.
+  Place first_least(Scalar enough) const { return least(nearest_ - steepest_, enough); }
+  Place last_least(Scalar enough) const { return least(nearest_ + steepest_, enough); }
 
   /// The maximum of f between its minima, or the waist where there is none.
   Place greatest() const {
@@ -99,11 +99,11 @@ class TorusAlongRay {
 
  private:
   /// From `s` towards the waist.
-  Place least(Scalar s, bool any) const {
+  Place least(Scalar s, Scalar enough) const {
     const bool before = s < waist_;
     for (int step = 0; step < most_steps; ++step) {
       const Expansion<Scalar> f = (*this)(s);
-      if (any && f.value <= Scalar(0)) return {s, f};
+      if (s > enough && f.value <= Scalar(0)) return {s, f};
       if (!(f.curvature > Scalar(0))) break;
       const Scalar next = s - f.slope / f.curvature;
       if (before ? !(next > s) : !(next < s)) return {s, f};

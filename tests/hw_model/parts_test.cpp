@@ -59,6 +59,7 @@ std::vector<Frame> frames() {
       shipped("fins", 1, 2, with({controller}, {"triangle"})),
       shipped("blocks", 3, 4, with({controller}, {"sphere", "plane", "disc", "box"})),
       shipped("quadrics", 2, 3, with({controller}, {"plane", "cylinder", "cone", "ellipsoid", "quadric", "triangle"})),
+      shipped("tori", 1, 2, with({controller}, {"sphere", "plane", "torus"})),
       shipped(
           "shadows", 3, 3,
           with({controller, shadows}, {"sphere", "plane", "box", "cylinder", "cone", "ellipsoid", "quadric", "disc"})),

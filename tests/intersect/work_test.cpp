@@ -118,20 +118,23 @@ TYPED_TEST_SUITE(WorkOf, Scalars);
 TYPED_TEST(WorkOf, ARayIsThatOfAPlainWalk) {
   int rays = 0;
   int close = 0;
+  int known = 0;
   Work all;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const int size = static_cast<int>(seed * seed);
     const int quadrics = seed > 6 ? 3 * size : 0;
-    const Scene scene = random_scene(
-        seed, {size, 2 * size, seed % 3 == 0 ? 2 : 0, size, size, quadrics, seed > 9 ? size / 4 : 0}, 64, 64);
+    const int tori = seed > 3 && seed < 7 ? size : 0;
+    const bool known_well = quadrics == 0 && tori == 0;  // an open shell or a torus may err by the way to another side
+    const int planes = seed % 3 == 0 ? 2 : 0;
+    const Scene scene = random_scene(seed, {size, 2 * size, planes, size, size, quadrics, tori}, 64, 64);
     const SceneIntersector<TypeParam> intersector(scene);
     std::mt19937_64 random(seed);
     for (int k = 0; k < 500; ++k, ++rays) {
       const auto direction = to_scalar<TypeParam>(random_vector(random, {1, -0.7, -0.7}, {1, 0.7, 0.7}));
       const PlainWalk<TypeParam> plain(intersector.scene(), direction);
-      close +=
-          plain.close() && quadrics == 0 ? 1 : 0;  // an open shell, or a torus, may err by the way to its other side
-      if (plain.close()) continue;                 // such a ray starts again, and finds out more
+      close += plain.close() && known_well ? 1 : 0;
+      known += known_well ? 1 : 0;
+      if (plain.close()) continue;  // such a ray starts again, and finds out more
       Work work;
       intersector.intersect(direction, work);
       ASSERT_EQ(work.box_tests, plain.work().box_tests) << seed << ": " << direction.y << " " << direction.z;
@@ -139,7 +142,7 @@ TYPED_TEST(WorkOf, ARayIsThatOfAPlainWalk) {
       all += work;
     }
   }
-  EXPECT_LT(close, rays / 20);
+  EXPECT_LT(close, known / 10);
   EXPECT_GT(all.box_tests, static_cast<std::uint64_t>(rays));
   for (const std::uint64_t tests : all.surface_tests) EXPECT_GT(tests, static_cast<std::uint64_t>(rays) / 16);
 }

@@ -34,6 +34,8 @@ class Transforms : public TempFolderTest {
 const std::string ball = R"("type": "sphere", "center": [1, 2, 3], "radius": 2)";
 const std::string box = R"("type": "box", "min": [0, 0, 0], "max": [1, 2, 3])";
 const std::string disc = R"("type": "disc", "center": [1, 0, 0], "normal": [0, 0, 2], "radius": 2)";
+const std::string ring =
+    R"("type": "torus", "center": [1, 0, 0], "axis": [0, 0, 2], "major_radius": 2, "minor_radius": 2)";
 const std::string tube = R"("type": "cylinder", "base": [0, 0, 0], "cap": [0, 0, 2], "radius": 1)";
 
 TEST_F(Transforms, StepsAreAppliedInOrder) {
@@ -60,6 +62,10 @@ TEST_F(Transforms, SimilaritiesKeepKinds) {
   const std::string turn = R"([{"rotate": {"axis": [1, 2, 2], "degrees": 30}}, {"scale": [-3, 3, 3]}])";
   EXPECT_EQ(std::get<Sphere>(loaded(ball, turn)).radius, 6);
   EXPECT_EQ(std::get<Disc>(loaded(disc, turn)).radius, 6);
+  EXPECT_EQ(std::get<Torus>(loaded(ring, turn)).major_radius, 6);
+  EXPECT_EQ(std::get<Torus>(loaded(ring, turn)).minor_radius, 6);
+  EXPECT_EQ(std::get<Torus>(loaded(ring, R"({"rotate": {"axis": [1, 0, 0], "degrees": 90}})")).axis,
+            glm::dvec3(0, -1, 0));
   EXPECT_EQ(std::get<Cylinder>(loaded(tube, turn)).radius, 3);
   EXPECT_NEAR(static_cast<double>(std::get<Cylinder>(loaded(tube, turn)).axis.length()), 6, 1e-14);
   EXPECT_TRUE(std::holds_alternative<Parallelepiped>(loaded(box, turn)));
@@ -125,6 +131,9 @@ TEST_F(Transforms, Mistakes) {
   EXPECT_EQ(with(R"({"scale": [1, 2, 1]})", disc),
             at + ": it would make an ellipse of a disc; moving, turning, mirroring and scaling by the same in all "
                  "directions are allowed");
+  EXPECT_EQ(with(R"({"scale": [1, 2, 1]})", ring), at + ": it would make a ring of another form of a torus; moving, "
+                                                        "turning, mirroring and scaling by the same in all "
+                                                        "directions are allowed");
   EXPECT_EQ(with(R"([{"scale": 1e20}, {"scale": 1e20}])"),
             at + ": it moves a point beyond all coordinates; coordinates of at most 1e+30 are allowed");
   EXPECT_EQ(with(R"({"scale": 1e-30})", R"("type": "sphere", "center": [0, 0, 0], "radius": 0.5)"),

@@ -49,6 +49,7 @@ class Counted {
 
 template <>
 struct std::numeric_limits<pyrasim::Counted> : std::numeric_limits<double> {
+  static pyrasim::Counted max() { return pyrasim::Counted(std::numeric_limits<double>::max()); }
   static pyrasim::Counted epsilon() { return pyrasim::Counted(std::numeric_limits<double>::epsilon()); }
   static pyrasim::Counted denorm_min() { return pyrasim::Counted(std::numeric_limits<double>::denorm_min()); }
 };
