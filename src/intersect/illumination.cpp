@@ -31,23 +31,23 @@ typename Illumination<Scalar>::Place Illumination<Scalar>::place_of(const Vector
 
 template <class Scalar>
 Sample Illumination<Scalar>::sample(const Vector<Scalar>& direction, const Hit<Scalar>& hit, ShadowWork& work) const {
-  const auto [position, normal, object] = place_of(direction, hit);
+  const Place place = place_of(direction, hit);
   work.lights = lights_.with_shadows();
   glm::dvec3 light = lights_.ambient();
   std::uint32_t reached = static_cast<std::uint32_t>((std::uint64_t{1} << lights_.with_shadows()) - 1);
-  lights_.for_each_at(position, [&](const Incidence& incidence, const std::optional<std::size_t>& shadow) {
-    const double cosine = glm::dot(normal, incidence.towards);
+  lights_.for_each_at(place.position, [&](const Incidence& incidence, const std::optional<std::size_t>& shadow) {
+    const double cosine = glm::dot(place.normal, incidence.towards);
     if (!(cosine > 0)) return;  // it is behind, or the surface has no normal there
     if (shadow) {
       ++work.rays[*shadow];
-      if (shadow_rays_->blocked(hit, position, normal, incidence, work.tests)) {
+      if (shadow_rays_->blocked(hit, place.position, place.normal, incidence, work.tests)) {
         reached &= ~(1U << *shadow);
         return;
       }
     }
     light += incidence.color * cosine;
   });
-  return {{object, reached}, Shading(light)};
+  return {{place.object, reached}, Shading(light)};
 }
 
 template class Illumination<double>;
