@@ -13,8 +13,7 @@
 namespace pyrasim::hw {
 
 /// A FIFO from a port of one stage to a port of another, built where both stages are, and the writer says that it is
-/// `needed`. Where a stage has copies, each
-/// has its own, and the port at the other end is a FifoPorts.
+/// `needed`. Where a stage has copies, each has its own, and the port at the other end is a FifoPorts.
 template <class Out, class From, class In, class To>
 struct WirePlan {
   /// The depth is a setting of the FIFO's name.

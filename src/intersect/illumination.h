@@ -6,12 +6,10 @@
 // fixed-point format does not.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <vector>
+#include <optional>
 
-#include "intersect/general_walk.h"
-#include "intersect/margin.h"
+#include "intersect/shadow_rays.h"
 #include "intersect/standing.h"
 #include "raster/sample.h"
 #include "shading/incidence.h"
@@ -36,21 +34,14 @@ class Illumination {
   struct Place {
     glm::dvec3 position;
     glm::dvec3 normal;  ///< on the viewer's side, of length 1
-    SurfaceIdentity surface;
-    double margin = 0;  ///< so far from it the position may lie; 0 where no light has shadows
+    std::uint32_t object;
   };
 
   Place place_of(const Vector<Scalar>& direction, const Hit<Scalar>& hit) const;
-  bool in_shadow(const Place& place, const Incidence& incidence, Tests& tests) const;
 
   PreparedLights lights_;
-  Margin margin_;
-  RayBoxes boxes_;
-  GeneralScene<Scalar> rays_;
   const PreparedScene<Scalar>& scene_;
-  std::vector<bool> casts_shadow_;  ///< by object
-  std::array<std::vector<double>, surface_kinds>
-      margins_;  ///< how far from each surface a hit may lie; empty without shadows
+  std::optional<ShadowRays<Scalar>> shadow_rays_;  ///< where a light has shadows
 };
 
 extern template class Illumination<double>;

@@ -24,6 +24,9 @@ class RayBoxes {
   /// Of the hierarchy below `scene`.root, for a datapath of `format`; `scene` is not yet rounded to it.
   RayBoxes(const PreparedScene<double>& scene, const NumberFormat& format);
 
+  /// By half of which boxes are grown.
+  const Margin& margin() const { return margin_; }
+
   /// What boxes ask of a ray, worked out once.
   struct Query {
     glm::dvec3 above;    ///< the origin, and the margin on

@@ -63,7 +63,7 @@ class Walk {
     }
     do {
       with_kind(
-          run->kind, [ this, run ](auto kind) __attribute__((always_inline)) {
+          run->kind, [&](auto kind) __attribute__((always_inline)) {
             constexpr bool may_be_here = surface_traits[kind].extent != Extent::unbounded;
             if constexpr (may_be_here && kind != index_of_kind<SphereSurface>) test_run<kind>(*run);
           });
@@ -74,7 +74,7 @@ class Walk {
     const SurfaceRun* run = first_run(scene_.runs, leaf);
     do {
       with_kind(
-          run->kind, [ this, run ](auto kind) __attribute__((always_inline)) {
+          run->kind, [&](auto kind) __attribute__((always_inline)) {
             if constexpr (surface_traits[kind].extent != Extent::bounded) test_run<kind>(*run);
           });
     } while (run++->more);

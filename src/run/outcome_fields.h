@@ -42,8 +42,7 @@ void for_each_field(Self& its, const auto& visit) {
 
 template <MaybeConst<Work> Self>
 void for_each_field(Self& its, const auto& visit) {
-  visit("box_tests", its.box_tests);
-  visit("surface_tests", its.surface_tests);
+  for_each_field(static_cast<std::conditional_t<std::is_const_v<Self>, const Tests, Tests>&>(its), visit);
   visit("shadow", its.shadow);
 }
 

@@ -43,11 +43,7 @@ class Shapes {
                                     : Shape{std::make_shared<const SceneSurface>(chosen(reader, reading_, keys)), {}};
     if (const auto transform = reader.find("transform")) {
       const AffineMap outer = read_transform(*transform);
-      try {
-        shape.map = shape.map ? outer.after(*shape.map) : outer;
-      } catch (const MapError& error) {
-        transform->fail(error.what(), error.allowed);
-      }
+      shape.map = mapped_at(*transform, [&] { return shape.map ? outer.after(*shape.map) : outer; });
     }
     return shape;
   }
@@ -55,11 +51,8 @@ class Shapes {
   /// The surface where its transforms put it.
   static SceneSurface place(const Shape& shape, const JsonReader& reader) {
     if (!shape.map) return *shape.surface;
-    try {
-      return transformed(*shape.surface, *shape.map);
-    } catch (const MapError& error) {
-      reader.find("transform").value_or(reader).fail(error.what(), error.allowed);
-    }
+    return mapped_at(reader.find("transform").value_or(reader),
+                     [&] { return transformed(*shape.surface, *shape.map); });
   }
 
  private:

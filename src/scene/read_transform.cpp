@@ -53,14 +53,12 @@ AffineMap read_step(const JsonReader& reader) {
     reader.fail(fmt::format("it has {} members", members.size()), "one of scale, rotate, translate, matrix is allowed");
   }
   const auto& [name, step] = members[0];
-  try {
+  return mapped_at(step, [&name = name, &step = step] {
     if (name == "scale") return read_scale(step);
     if (name == "rotate") return read_rotation(step);
     if (name == "matrix") return read_matrix(step);
     return AffineMap::translation(step.vec3(coordinates));
-  } catch (const MapError& error) {
-    step.fail(error.what(), error.allowed);
-  }
+  });
 }
 
 }  // namespace
@@ -70,11 +68,7 @@ AffineMap read_transform(const JsonReader& reader) {
   AffineMap map;
   for (const JsonReader& step : reader.elements(1)) {
     const AffineMap next = read_step(step);
-    try {
-      map = next.after(map);
-    } catch (const MapError& error) {
-      reader.fail(error.what(), error.allowed);
-    }
+    map = mapped_at(reader, [&] { return next.after(map); });
   }
   return map;
 }

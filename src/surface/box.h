@@ -138,16 +138,23 @@ Scalar BoxSurface<Scalar>::intersect(const ViewRay<Scalar>& ray) const {
   return leave > Scalar(0) ? leave : Scalar(0);
 }
 
+/// visit(number, passage) for each slab by whose face the ray meets the box at t: several on an edge.
+template <class Scalar>
+void for_each_slab_met(const BoxSurface<Scalar>& box, const Vector<Scalar>& direction, Scalar t, const auto& visit) {
+  for (std::size_t k = 0; k < box.slabs.size(); ++k) {
+    const SlabPassage<Scalar> passage(box.slabs[k], direction);
+    if (!passage.parallel && (passage.enter == t || passage.leave == t)) visit(k, passage);
+  }
+}
+
 /// That of the face whose plane the ray meets at t; on an edge the brighter one, whichever way the axes are named.
 template <class Scalar>
 Scalar BoxSurface<Scalar>::shade(const Shading& shading, const Lighting<Scalar>&, const Vector<Scalar>& direction,
                                  Scalar t) const {
   Scalar brightest{0};
-  for (std::size_t k = 0; k < slabs.size(); ++k) {
-    const SlabPassage<Scalar> passage(slabs[k], direction);
-    if (passage.parallel || (passage.enter != t && passage.leave != t)) continue;
+  for_each_slab_met(*this, direction, t, [&](std::size_t k, const SlabPassage<Scalar>&) {
     brightest = std::max(brightest, shading.faces[k].seen_along(direction));
-  }
+  });
   return brightest;
 }
 
@@ -156,16 +163,14 @@ template <class Scalar>
 Vector<Scalar> BoxSurface<Scalar>::outward(const Shading& shading, const Vector<Scalar>& direction, Scalar t) const {
   Scalar steepest{-1};
   Vector<Scalar> normal{0, 0, 0};
-  for (std::size_t k = 0; k < slabs.size(); ++k) {
-    const SlabPassage<Scalar> passage(slabs[k], direction);
-    if (passage.parallel || (passage.enter != t && passage.leave != t)) continue;
+  for_each_slab_met(*this, direction, t, [&](std::size_t k, const SlabPassage<Scalar>& passage) {
     const Vector<Scalar>& upper = shading.faces[k].normal;
     const Scalar along = dot(upper, direction);
     const Scalar steep = along < Scalar(0) ? -along : along;
-    if (!(steep > steepest)) continue;
+    if (!(steep > steepest)) return;
     steepest = steep;
     normal = (along > Scalar(0)) == (t == passage.leave) ? upper : -upper;
-  }
+  });
   return normal;
 }
 
