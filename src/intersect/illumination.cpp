@@ -34,7 +34,7 @@ Sample Illumination<Scalar>::sample(const Vector<Scalar>& direction, const Hit<S
   const Place place = place_of(direction, hit);
   work.lights = lights_.with_shadows();
   glm::dvec3 light = lights_.ambient();
-  std::uint32_t reached = static_cast<std::uint32_t>((std::uint64_t{1} << lights_.with_shadows()) - 1);
+  auto reached = static_cast<std::uint32_t>((std::uint64_t{1} << lights_.with_shadows()) - 1);
   lights_.for_each_at(place.position, [&](const Incidence& incidence, const std::optional<std::size_t>& shadow) {
     const double cosine = glm::dot(place.normal, incidence.towards);
     if (!(cosine > 0)) return;  // it is behind, or the surface has no normal there
