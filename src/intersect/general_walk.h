@@ -30,7 +30,7 @@ class GeneralScene {
 
   /// The hit of the least t within the ray's limit.
   std::optional<GeneralHit> nearest(const GeneralRay& ray, Tests& work) const {
-    Nearest sought{{boxes_, scene_.nodes.data(), ray}};
+    Nearest sought{{ray, boxes_.query(ray)}};
     walk(sought, work);
     return sought.hit;
   }
@@ -38,7 +38,7 @@ class GeneralScene {
   /// Whether there is a hit within the ray's limit that counts(kind, index, t) says counts. The walk ends at the first.
   template <class Counts>
   bool any(const GeneralRay& ray, const Counts& counts, Tests& work) const {
-    Any<Counts> sought{{boxes_, scene_.nodes.data(), ray}, counts};
+    Any<Counts> sought{{ray, boxes_.query(ray)}, counts};
     walk(sought, work);
     return sought.met_one;
   }
@@ -50,21 +50,17 @@ class GeneralScene {
  private:
   /// The part of a query that is the ray's.
   struct Boxes {
-    const RayBoxes& boxes;
-    const WideNode<Scalar>* first;
     GeneralRay ray;
-    RayBoxes::Query query = boxes.query(ray);
+    BoxHierarchy::Query query;
 
-    unsigned met(const WideNode<Scalar>& node) const {
-      return boxes.met(static_cast<std::size_t>(&node - first), query, ray.limit);
-    }
+    unsigned met(const BoxHierarchy::Node& node) const { return BoxHierarchy::met(node, query, ray.limit); }
   };
   /// The ray's limit is that of the nearest hit so far.
   struct Nearest : Boxes {
     std::optional<GeneralHit> hit{};
 
     bool over() const { return false; }
-    bool behind(const WideNode<Scalar>&, std::size_t) const { return false; }
+    bool behind(const BoxHierarchy::Node&, std::size_t) const { return false; }
     void enter(auto, std::uint32_t, double t, const SurfaceIdentity& surface) {
       if (t > this->ray.limit || (hit && t == hit->t && hit->surface.order < surface.order)) return;
       hit = GeneralHit{t, surface};
@@ -77,7 +73,7 @@ class GeneralScene {
     bool met_one = false;
 
     bool over() const { return met_one; }
-    bool behind(const WideNode<Scalar>&, std::size_t) const { return met_one; }
+    bool behind(const BoxHierarchy::Node&, std::size_t) const { return met_one; }
     void enter(auto kind, std::uint32_t index, double t, const SurfaceIdentity&) {
       met_one = met_one || (t <= this->ray.limit && counts(kind, index, t));
     }
@@ -88,27 +84,40 @@ class GeneralScene {
     const FormatScope<Scalar> scope(scene_.numbers);
     const Vector<Scalar> origin = to_scalar<Scalar>(sought.ray.origin);
     const ViewRay<Scalar> moved(to_scalar<Scalar>(sought.ray.direction));
-    const auto test = [&](std::int32_t leaf) { test_leaf(leaf, origin, moved, sought, work); };
-    if (scene_.apart) test(*scene_.apart);
-    traverse(scene_.nodes.data(), scene_.root, sought, test, work);
+    if (scene_.apart) test_apart(*scene_.apart, origin, moved, sought, work);
+    const auto test_leaf = [&](std::int32_t leaf) {
+      for (const auto [kind, index] : boxes_.leaf(leaf)) {
+        if (sought.over()) return;
+        with_kind(kind, [&, k = index](auto of) { test<of>(k, origin, moved, sought, work); });
+      }
+    };
+    const BoxHierarchy& hierarchy = boxes_.hierarchy();
+    traverse(hierarchy.nodes(), hierarchy.root(), sought, test_leaf, work);
   }
 
   template <class Sought>
-  void test_leaf(std::int32_t leaf, const Vector<Scalar>& origin, const ViewRay<Scalar>& moved, Sought& sought,
-                 Tests& work) const {
+  void test_apart(std::int32_t leaf, const Vector<Scalar>& origin, const ViewRay<Scalar>& moved, Sought& sought,
+                  Tests& work) const {
     const SurfaceRun* run = first_run(scene_.runs, leaf);
     do {
       with_kind(run->kind, [&](auto kind) {
-        using Surface = std::tuple_element_t<kind, SurfaceTypes<Scalar>>;
-        const typename Surface::Terms terms(moved);
         for (std::uint32_t k = run->first; k < run->first + run->count && !sought.over(); ++k) {
-          const Surface& surface = std::get<kind>(scene_.kinds).surfaces[k];
-          const Scalar t = surface.seen_from(origin).intersect(terms);
-          ++work.surface_tests[kind];
-          if (t > Scalar(0)) sought.enter(kind, k, static_cast<double>(t), surface.identity);
+          test<kind>(k, origin, moved, sought, work);
         }
       });
     } while (run++->more && !sought.over());
+  }
+
+  template <std::size_t kind, class Sought>
+  void test(std::uint32_t index, const Vector<Scalar>& origin, const ViewRay<Scalar>& moved, Sought& sought,
+            Tests& work) const {
+    using Surface = std::tuple_element_t<kind, SurfaceTypes<Scalar>>;
+    const typename Surface::Terms terms(moved);
+    const Surface& surface = std::get<kind>(scene_.kinds).surfaces[index];
+    const Scalar t = surface.seen_from(origin).intersect(terms);
+    ++work.surface_tests[kind];
+    if (t > Scalar(0))
+      sought.enter(std::integral_constant<std::size_t, kind>(), index, static_cast<double>(t), surface.identity);
   }
 
   const PreparedScene<Scalar>& scene_;

@@ -25,6 +25,7 @@ struct Split {
   int bin = 0;  ///< the first bin of the right-hand side
 };
 
+template <Course course>
 class Builder {
  public:
   explicit Builder(const std::vector<BoundingBox>& boxes) : boxes_(boxes), centers_(boxes.size()) {
@@ -34,7 +35,7 @@ class Builder {
   }
 
   Hierarchy build() {
-    if (boxes_.empty()) return {};
+    if (boxes_.empty()) return std::move(hierarchy_);
     hierarchy_.nodes.reserve(2 * boxes_.size());
     hierarchy_.nodes.emplace_back();
     subdivide(0, 0, static_cast<std::uint32_t>(boxes_.size()), 0);
@@ -81,7 +82,7 @@ class Builder {
         target.box.include(boxes_[reference]);
         ++target.count;
       }
-      sweep(bin, axis, box.frontal_area(), best);
+      sweep(bin, axis, seen_area(box, course), best);
     }
     return best;
   }
@@ -92,14 +93,14 @@ class Builder {
     for (int k = bins - 1; k > 0; --k) {
       right.box.include(bin[static_cast<std::size_t>(k)].box);
       right.count += bin[static_cast<std::size_t>(k)].count;
-      right_cost[static_cast<std::size_t>(k)] = right.count == 0 ? -1 : right.box.frontal_area() * right.count;
+      right_cost[static_cast<std::size_t>(k)] = right.count == 0 ? -1 : seen_area(right.box, course) * right.count;
     }
     Bin left;
     for (int k = 1; k < bins; ++k) {
       left.box.include(bin[static_cast<std::size_t>(k - 1)].box);
       left.count += bin[static_cast<std::size_t>(k - 1)].count;
       if (left.count == 0 || right_cost[static_cast<std::size_t>(k)] < 0) continue;
-      const double sides = left.box.frontal_area() * left.count + right_cost[static_cast<std::size_t>(k)];
+      const double sides = seen_area(left.box, course) * left.count + right_cost[static_cast<std::size_t>(k)];
       const double cost = node_cost + (area > 0 ? sides / area : 0);
       if (cost < best.cost) best = {cost, axis, k};
     }
@@ -115,11 +116,31 @@ class Builder {
 
   const std::vector<BoundingBox>& boxes_;
   std::vector<glm::dvec3> centers_;
-  Hierarchy hierarchy_;
+  Hierarchy hierarchy_{course, {}, {}};
 };
 
 }  // namespace
 
-Hierarchy build_hierarchy(const std::vector<BoundingBox>& boxes) { return Builder(boxes).build(); }
+Hierarchy build_hierarchy(const std::vector<BoundingBox>& boxes, Course course) {
+  return course == Course::along_x ? Builder<Course::along_x>(boxes).build() : Builder<Course::any>(boxes).build();
+}
+
+std::vector<const BinaryNode*> wide_children(const Hierarchy& hierarchy, const BinaryNode& node, std::size_t most) {
+  const auto* const nodes = hierarchy.nodes.data();
+  std::vector<const BinaryNode*> children{nodes + node.first, nodes + node.first + 1};
+  const auto area = [&](const BinaryNode* child) { return seen_area(child->box, hierarchy.course); };
+  while (children.size() < most) {
+    const BinaryNode** largest = nullptr;
+    for (const BinaryNode*& child : children) {
+      if (child->count > 0) continue;
+      if (largest == nullptr || area(child) > area(*largest)) largest = &child;
+    }
+    if (largest == nullptr) break;
+    const std::uint32_t first = (*largest)->first;
+    *largest = nodes + first;
+    children.push_back(nodes + first + 1);
+  }
+  return children;
+}
 
 }  // namespace pyrasim

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds a binary bounding volume hierarchy for rays that run along x, as view rays do in slope space: by the
-// surface area heuristic over binned centroids (Wald 2007), with the area that such a ray sees of a box.
+// Builds a binary bounding volume hierarchy by the surface area heuristic over binned centroids (Wald 2007), with the
+// area that a ray sees of a box.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,16 @@ struct BinaryNode {
   std::uint32_t count = 0;
 };
 
+/// Which way the rays run that it is for: along x, as view rays do in slope space, or any way.
+enum class Course { along_x, any };
+
+/// What a ray sees of a box, on average.
+inline double seen_area(const BoundingBox& box, Course course) {
+  return course == Course::along_x ? box.frontal_area() : box.half_surface();
+}
+
 struct Hierarchy {
+  Course course;
   std::vector<BinaryNode> nodes;          ///< the root is nodes[0]; none for no boxes
   std::vector<std::uint32_t> references;  ///< indices of the boxes given, ordered by leaf
 };
@@ -27,6 +36,10 @@ struct Hierarchy {
 inline constexpr int max_hierarchy_depth = 96;
 
 /// `boxes`: one for each bounded surface.
-Hierarchy build_hierarchy(const std::vector<BoundingBox>& boxes);
+Hierarchy build_hierarchy(const std::vector<BoundingBox>& boxes, Course course);
+
+/// The children of a node of up to `most`: those of the binary inner node `node`, the largest inner one replaced by its
+/// own while there is room.
+std::vector<const BinaryNode*> wide_children(const Hierarchy& hierarchy, const BinaryNode& node, std::size_t most);
 
 }  // namespace pyrasim

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ordinary boxes for the hierarchy of a prepared scene, for rays that start anywhere and run anywhere: those of slope
-// space serve rays from the observer only.
+// The hierarchy of ordinary boxes over the surfaces of a prepared scene.
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
+#include "intersect/box_hierarchy.h"
 #include "intersect/margin.h"
 #include "intersect/prepared_scene.h"
 
@@ -21,39 +23,30 @@ struct GeneralRay {
 
 class RayBoxes {
  public:
-  /// Of the hierarchy below `scene`.root, for a datapath of `format`; `scene` is not yet rounded to it.
+  /// For a datapath of `format`; `scene` is not yet rounded to it.
   RayBoxes(const PreparedScene<double>& scene, const NumberFormat& format);
 
-  /// By half of which boxes are grown.
-  const Margin& margin() const { return margin_; }
-
-  /// What boxes ask of a ray, worked out once.
-  struct Query {
-    glm::dvec3 above;    ///< the origin, and the margin on
-    glm::dvec3 below;    ///< and the margin off
-    glm::dvec3 inverse;  ///< 1 / direction; where the ray runs along an axis' planes, the largest number
+  /// A bounded surface: the place of one in PreparedScene::kinds.
+  struct Item {
+    SurfaceKind kind;
+    std::uint32_t index;
   };
-  Query query(const GeneralRay& ray) const;
 
-  /// The boxes of the children of node `node` as one ray asks for them: bit k, the ray may meet what box k holds at a t
-  /// of at most `limit`. Compared in double, whatever the format, with all that the datapath may err by added to the
-  /// boxes: no hit that the datapath counts is missed.
-  unsigned met(std::size_t node, const Query& query, double limit) const;
+  /// By half of which boxes are grown: no hit that the datapath counts is missed, whatever the format.
+  const Margin& margin() const { return margin_; }
+  const BoxHierarchy& hierarchy() const { return hierarchy_; }
+  BoxHierarchy::Query query(const GeneralRay& ray) const;
+  /// What a leaf of the hierarchy holds.
+  std::span<const Item> leaf(std::int32_t reference) const {
+    const auto [first, count] = hierarchy_.leaf(reference);
+    return {&items_[first], count};
+  }
 
  private:
-  /// The boxes of a node's children side by side.
-  struct alignas(64) Node {
-    using Bound = std::array<double, node_width>;
-    std::array<Bound, 3> lower{};  ///< by axis
-    std::array<Bound, 3> upper{};
-    unsigned children = 0;  ///< a bit each
-  };
-
-  BoundingBox add(const PreparedScene<double>& scene, std::int32_t reference);
-
   Margin margin_;
   bool generators_ = false;  ///< a surface has some
-  std::vector<Node> nodes_;
+  BoxHierarchy hierarchy_;
+  std::vector<Item> items_;  ///< in the order of leaves
 };
 
 }  // namespace pyrasim

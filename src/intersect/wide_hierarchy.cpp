@@ -35,7 +35,7 @@ class Widening {
     std::vector<BoundingBox> visible;
     visible.reserve(bounds_.size());
     for (const BoundingBox& bounds : bounds_) visible.push_back(on_screen(bounds, screen));
-    hierarchy_ = build_hierarchy(visible);
+    hierarchy_ = build_hierarchy(visible, Course::along_x);
   }
 
   void build() {
@@ -91,7 +91,7 @@ class Widening {
     if (node.count > 0) return convert_leaf(node);
     const std::size_t index = scene_.nodes.size();
     scene_.nodes.emplace_back();
-    const std::vector<const BinaryNode*> sources = widened(node);
+    const std::vector<const BinaryNode*> sources = wide_children(hierarchy_, node, node_width);
     std::array<Converted, node_width> children;
     BoundingBox bounds;
     for (std::size_t k = 0; k < sources.size(); ++k) {
@@ -108,25 +108,6 @@ class Widening {
       wide.child[k] = children[k].reference;
     }
     return {bounds, static_cast<std::int32_t>(index)};
-  }
-
-  /// The children of a wide node: those of the binary one, the largest inner one replaced by its own while there is
-  /// room.
-  std::vector<const BinaryNode*> widened(const BinaryNode& node) const {
-    const auto* const nodes = hierarchy_.nodes.data();
-    std::vector<const BinaryNode*> children{nodes + node.first, nodes + node.first + 1};
-    while (children.size() < node_width) {
-      const BinaryNode** largest = nullptr;
-      for (const BinaryNode*& child : children) {
-        if (child->count > 0) continue;
-        if (largest == nullptr || child->box.frontal_area() > (*largest)->box.frontal_area()) largest = &child;
-      }
-      if (largest == nullptr) break;
-      const std::uint32_t first = (*largest)->first;
-      *largest = nodes + first;
-      children.push_back(nodes + first + 1);
-    }
-    return children;
   }
 
   Converted convert_leaf(const BinaryNode& node) {
@@ -166,7 +147,7 @@ class Widening {
   std::vector<Source> bounded_;      // the surfaces with bounds, kind by kind; the hierarchy's references
   std::vector<BoundingBox> bounds_;  // in slope space, of the same
   std::vector<double> errors_;       // relative, of the same
-  Hierarchy hierarchy_;
+  Hierarchy hierarchy_{Course::along_x, {}, {}};
 };
 
 }  // namespace

@@ -55,7 +55,7 @@ struct Walk {
 
 /// Checks the hierarchy over `boxes` and returns its depth.
 int check(const std::vector<BoundingBox>& boxes) {
-  const Hierarchy hierarchy = build_hierarchy(boxes);
+  const Hierarchy hierarchy = build_hierarchy(boxes, Course::along_x);
   EXPECT_EQ(hierarchy.references.size(), boxes.size());
   Walk walk{hierarchy, boxes};
   walk.visit(0, 0);
@@ -66,13 +66,13 @@ int check(const std::vector<BoundingBox>& boxes) {
 }
 
 TEST(Hierarchy, OfNothingIsEmpty) {
-  const Hierarchy hierarchy = build_hierarchy({});
+  const Hierarchy hierarchy = build_hierarchy({}, Course::along_x);
   EXPECT_TRUE(hierarchy.nodes.empty());
   EXPECT_TRUE(hierarchy.references.empty());
 }
 
 TEST(Hierarchy, OfOneBoxIsALeaf) {
-  const Hierarchy hierarchy = build_hierarchy({cube({1, 2, 3}, 1)});
+  const Hierarchy hierarchy = build_hierarchy({cube({1, 2, 3}, 1)}, Course::along_x);
   ASSERT_EQ(hierarchy.nodes.size(), 1U);
   EXPECT_EQ(hierarchy.nodes[0].count, 1U);
 }

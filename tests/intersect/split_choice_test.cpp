@@ -126,7 +126,7 @@ TEST(SplitChoice, IsTheCheapestOfAll) {
       for (const double largest_side : {0.5, 4.0, 20.0}) {
         SCOPED_TRACE(testing::Message() << "round " << round << ", sides up to " << largest_side);
         const Boxes boxes = boxes_apart(count, largest_side, random);
-        const Hierarchy hierarchy = build_hierarchy(boxes);
+        const Hierarchy hierarchy = build_hierarchy(boxes, Course::along_x);
         check(boxes, hierarchy, 0, counts);
       }
     }
@@ -197,7 +197,8 @@ TEST(SplitChoice, OpensTheLargestChildOfAWideNode) {
       visible.push_back(on_screen(slope_bounds_of_sphere(sphere.center, sphere.radius, 0), scene.camera.screen));
     }
     const SceneIntersector<double> intersector(scene);
-    EXPECT_EQ(tree_of(intersector.scene(), intersector.scene().root), wide_tree_of(build_hierarchy(visible), 0))
+    EXPECT_EQ(tree_of(intersector.scene(), intersector.scene().root),
+              wide_tree_of(build_hierarchy(visible, Course::along_x), 0))
         << seed;
   }
 }
