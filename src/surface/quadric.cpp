@@ -52,6 +52,7 @@ Quadric::Coefficients read_coefficients(const JsonReader& reader) {
 
 std::vector<ExactHalfSpace> exact(const std::vector<HalfSpace<double>>& clip) {
   std::vector<ExactHalfSpace> result;
+  result.reserve(clip.size());
   for (const auto& [normal, offset] : clip) result.push_back({exactly(normal), offset});
   return result;
 }

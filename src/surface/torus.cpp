@@ -25,7 +25,7 @@ double side_of(const Torus& torus, const QuadrupleVector& axis, const glm::dvec3
   QuadrupleVector across = place;
   for (std::size_t k = 0; k < 3; ++k) across[k] -= height * axis[k];
   const Quadruple beyond = length(across) - torus.major_radius;
-  const double above = static_cast<double>(square_root(beyond * beyond + height * height) - torus.minor_radius);
+  const auto above = static_cast<double>(square_root(beyond * beyond + height * height) - torus.minor_radius);
   const double size = torus.major_radius + torus.minor_radius + largest(torus.center) + largest(observer);
   if (std::abs(above) <= 4 * epsilon<double>() * size) return 0;
   return above > 0 ? 1 : -1;
@@ -55,10 +55,11 @@ std::array<glm::dvec3, 16> corners_about(const TorusSurface<double>& torus) {
   const auto [u, v] = across(axis);
   const double radius = outer_radius(torus) / std::cos(std::numbers::pi / 8);
   std::array<glm::dvec3, 16> corners;
-  for (std::size_t k = 0; k < 16; ++k) {
-    const double angle = (static_cast<double>(k / 2) + 0.5) * (std::numbers::pi / 4);
-    const glm::dvec3 end = axis * (k % 2 == 0 ? torus.minor : -torus.minor);
-    corners[k] = torus.center + end + (u * std::cos(angle) + v * std::sin(angle)) * radius;
+  for (std::size_t side = 0; side < 8; ++side) {
+    const double angle = (static_cast<double>(side) + 0.5) * (std::numbers::pi / 4);
+    const glm::dvec3 edge = torus.center + (u * std::cos(angle) + v * std::sin(angle)) * radius;
+    corners[2 * side] = edge + axis * torus.minor;
+    corners[2 * side + 1] = edge - axis * torus.minor;
   }
   return corners;
 }
