@@ -10,8 +10,6 @@
 #include <immintrin.h>
 #endif
 
-#include "intersect/hierarchy_builder.h"
-
 namespace pyrasim {
 namespace {
 
@@ -62,6 +60,16 @@ BoxHierarchy::Query::Query(const glm::dvec3& origin, const glm::dvec3& direction
   for (int axis = 0; axis < 3; ++axis) {
     inverse[axis] = direction[axis] == 0 ? most : std::clamp(1 / direction[axis], -most, most);
   }
+}
+
+double BoxHierarchy::entered(const BoundingBox& box, const Query& query) {
+  double enter = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = (box.lower[axis] - query.above[axis]) * query.inverse[axis];
+    const double b = (box.upper[axis] - query.below[axis]) * query.inverse[axis];
+    enter = std::max(enter, std::min(a, b));
+  }
+  return enter;
 }
 
 /// The slab test (Kay, Kajiya 1986): per axis the t at which the ray passes two planes, each by a difference, a

@@ -8,19 +8,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "intersect/prepared_scene.h"
+#include "intersect/hierarchy_builder.h"
 #include "surface/bounding_box.h"
 
 namespace pyrasim {
 
-struct BinaryNode;
-struct Hierarchy;
-
 class BoxHierarchy {
  public:
   BoxHierarchy() = default;
-  /// Boxes are already grown by all that the arithmetic of what they hold may err by: they are compared in double, and
-  /// the roundings of that alone are granted.
+  /// Boxes, or each query, are already grown by all that the arithmetic of what they hold may err by: they are compared
+  /// in double, and the roundings of that alone are granted.
   explicit BoxHierarchy(const std::vector<BoundingBox>& boxes);
 
   /// A node of two to four children, their boxes side by side.
@@ -49,7 +46,11 @@ class BoxHierarchy {
   /// Bit k: the ray may meet what the box of child k holds at a t of at most `limit`.
   static unsigned met(const Node& node, const Query& query, double limit);
 
+  /// The t at which the ray enters a box as such a comparison has it: no box that holds it is entered later.
+  static double entered(const BoundingBox& box, const Query& query);
+
   const Node* nodes() const { return nodes_.data(); }
+  std::size_t node_count() const { return nodes_.size(); }
   std::int32_t root() const { return root_; }  ///< as Node::child
   const Leaf& leaf(std::int32_t reference) const { return leaves_[static_cast<std::size_t>(~reference)]; }
   /// The boxes' numbers, in the order of leaves.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "intersect/instance_walk.h"
 #include "intersect/ray_boxes.h"
 #include "intersect/rounded_scene.h"
 #include "intersect/traversal.h"
@@ -108,16 +109,37 @@ class GeneralScene {
     } while (run++->more && !sought.over());
   }
 
+  /// What walk_instance() finds, as `sought` asks for it.
+  template <class Sought>
+  struct MetInInstance {
+    Sought& sought;
+    SurfaceIdentity identity;
+    const TriangleSurface<Scalar>* triangles;
+    std::uint32_t index;  ///< the instance's
+
+    double limit() const { return sought.over() ? -1 : sought.ray.limit; }
+    void meet(std::uint32_t place, Scalar t) {
+      sought.enter(std::integral_constant<std::size_t, index_of_kind<InstanceSurface>>(), index, static_cast<double>(t),
+                   {identity.object, identity.order + triangles[place].identity.order});
+    }
+  };
+
   template <std::size_t kind, class Sought>
   void test(std::uint32_t index, const Vector<Scalar>& origin, const ViewRay<Scalar>& moved, Sought& sought,
             Tests& work) const {
     using Surface = std::tuple_element_t<kind, SurfaceTypes<Scalar>>;
     const typename Surface::Terms terms(moved);
     const Surface& surface = std::get<kind>(scene_.kinds).surfaces[index];
-    const Scalar t = surface.seen_from(origin).intersect(terms);
-    ++work.surface_tests[kind];
-    if (t > Scalar(0))
-      sought.enter(std::integral_constant<std::size_t, kind>(), index, static_cast<double>(t), surface.identity);
+    if constexpr (kind == index_of_kind<InstanceSurface>) {
+      const double margin = 2 * boxes_.margin().of(surface.within.reach + largest(sought.ray.origin));
+      MetInInstance<Sought> met{sought, surface.identity, scene_.meshes[surface.mesh].triangles.data(), index};
+      walk_instance(scene_, surface.seen_from(origin), moved.direction, margin, met, work);
+    } else {
+      const Scalar t = surface.seen_from(origin).intersect(terms);
+      ++work.surface_tests[kind];
+      if (t > Scalar(0))
+        sought.enter(std::integral_constant<std::size_t, kind>(), index, static_cast<double>(t), surface.identity);
+    }
   }
 
   const PreparedScene<Scalar>& scene_;

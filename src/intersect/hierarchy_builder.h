@@ -3,12 +3,16 @@
 // area that a ray sees of a box.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "surface/bounding_box.h"
 
 namespace pyrasim {
+
+/// Children at most of an inner node of the wide hierarchies that are made of binary ones.
+inline constexpr std::size_t node_width = 4;
 
 /// A node of the hierarchy: a leaf holds the references `first` to `first + count - 1` of Hierarchy::references; an
 /// inner node (count = 0) has the children `first` and `first + 1` of Hierarchy::nodes.

@@ -19,13 +19,20 @@ template <class Scalar>
 typename Illumination<Scalar>::Place Illumination<Scalar>::place_of(const Vector<Scalar>& direction,
                                                                     const Hit<Scalar>& hit) const {
   const glm::dvec3 along = in_double(direction);
-  return with_kind(hit.kind, [&](auto kind) {
-    const auto& [surfaces, shading] = std::get<kind>(scene_.kinds);
-    const auto& surface = surfaces[hit.index];
-    const glm::dvec3 outward = in_double(surface.outward(shading[hit.index], direction, hit.t));
+  const auto place = [&](const glm::dvec3& outward, const SurfaceIdentity& identity) {
     return Place{.position = along * static_cast<double>(hit.t),
                  .normal = (glm::dot(outward, along) < 0 ? outward : -outward) / glm::length(outward),
-                 .object = surface.identity.object};
+                 .object = identity.object};
+  };
+  return with_kind(hit.kind, [&](auto kind) {
+    if constexpr (kind == index_of_kind<InstanceSurface>) {
+      const InstancedTriangle<Scalar> triangle = triangle_of_hit(scene_, hit.index);
+      return place(in_double(triangle.outward()), triangle.identity);
+    } else {
+      const auto& [surfaces, shading] = std::get<kind>(scene_.kinds);
+      const auto& surface = surfaces[hit.index];
+      return place(in_double(surface.outward(shading[hit.index], direction, hit.t)), surface.identity);
+    }
   });
 }
 

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <utility>
 
 #include "camera/observer_frame.h"
+#include "intersect/margin.h"
 #include "intersect/wide_hierarchy.h"
 #include "numeric/number_range.h"
 #include "numeric/vectors.h"
@@ -43,6 +46,7 @@ class Filling {
   PreparedScene<double> scaled_for(const NumberFormat& format) {
     prepared_.rounding = rounding_units_of(format);
     if (!(largest_ > 0)) return std::move(prepared_);
+    share_meshes(largest_exponent(format));
     const Scaling scaling{largest_exponent(format) - std::ilogb(largest_)};
     for_each_kind([&](auto kind) {
       for (auto& surface : std::get<kind>(prepared_.kinds).surfaces) {
@@ -65,6 +69,23 @@ class Filling {
     }
   }
 
+  void add(const MeshInstance& instance) {
+    const auto known = numbers_.emplace(instance.of.get(), numbers_.size());
+    if (known.second) instanced_.push_back(instance.of);
+    put(instance.prepared(preparation_));
+    surfaces_of_instances().back().mesh = known.first->second;
+    order_ += static_cast<std::uint32_t>(instance.of->mesh.triangles.size()) - 1;  // as if they were its own
+  }
+
+  /// Each mesh once, as large as suits the format.
+  void share_meshes(int exponent) {
+    for (const auto& mesh : instanced_) prepared_.meshes.push_back(shared_mesh(*mesh, exponent));
+    for (auto& instance : surfaces_of_instances()) instance.scale = std::ldexp(instance.scale, -exponent);
+  }
+  std::vector<InstanceSurface<double>>& surfaces_of_instances() {
+    return std::get<index_of_kind<InstanceSurface>>(prepared_.kinds).surfaces;
+  }
+
   template <template <class> class Surface>
   void put(const Prepared<Surface>& prepared) {
     auto& [surfaces, shading] = std::get<index_of_kind<Surface>>(prepared_.kinds);
@@ -77,7 +98,9 @@ class Filling {
   Preparation preparation_;
   std::uint32_t object_ = 0;
   std::uint32_t order_ = 0;
-  double largest_ = 0;  ///< coordinate in observer's coordinates
+  std::vector<std::shared_ptr<const InstancedMesh>> instanced_;
+  std::map<const InstancedMesh*, std::uint32_t> numbers_;  ///< among these
+  double largest_ = 0;                                     ///< coordinate in observer's coordinates
   PreparedScene<double> prepared_;
 };
 
@@ -90,12 +113,25 @@ void note_errors(PreparedScene<double>& prepared) {
   });
 }
 
+/// Once instances are in their order, and as far as each reaches is known: the numbers of their triangles, and by how
+/// much boxes about these are grown.
+void finish_instances(PreparedScene<double>& prepared, const Margin& margin) {
+  std::uint32_t first = 0;
+  for (auto& instance : std::get<index_of_kind<InstanceSurface>>(prepared.kinds).surfaces) {
+    instance.first = first;
+    instance.within.margin = 2 * margin.of(instance.within.reach);
+    first += static_cast<std::uint32_t>(prepared.meshes[instance.mesh].triangles.size());
+  }
+}
+
 }  // namespace
 
 PreparedScene<double> prepare_scene(const Scene& scene, const NumberFormat& format) {
   PreparedScene<double> prepared = Filling(scene).scaled_for(format);
   note_errors(prepared);
-  build_wide_hierarchy(prepared, scene.camera.screen, format);
+  const Margin margin = margin_of_view_rays(prepared, scene.camera.screen, format);
+  build_wide_hierarchy(prepared, scene.camera.screen, margin);
+  finish_instances(prepared, margin);
   return prepared;
 }
 

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <vector>
 
+#include "intersect/hierarchy_builder.h"
+#include "intersect/shared_mesh.h"
 #include "numeric/format_scope.h"
 #include "scene/scene.h"
 #include "surface/bounding_box.h"
@@ -16,9 +18,6 @@
 #include "surface/rounding_units.h"
 
 namespace pyrasim {
-
-/// Children of an inner node of the hierarchy at most.
-inline constexpr std::size_t node_width = 4;
 
 /// The boxes of a node's children side by side in slope space (slope_bounds.h), so that one visit tests all. The
 /// boxes of children that it does not have are inside out and never met.
@@ -70,6 +69,7 @@ struct PreparedScene {
   std::int32_t everything = 0;        ///< likewise, a leaf of all bounded surfaces: for rays that do not run forward
   std::optional<std::int32_t> apart;  ///< likewise, a leaf of the others, if there are any
   SurfaceStore<Scalar> kinds;         ///< of each those apart first, then in the order of leaves
+  std::vector<SharedMesh<Scalar>> meshes;  ///< that instances are of
   Lighting<Scalar> lighting;
   const Illumination<Scalar>* illumination = nullptr;              ///< where the scene has a list of lights
   int exponent = 0;                                                ///< lengths are the scene's times 2^exponent

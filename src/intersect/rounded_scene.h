@@ -45,6 +45,7 @@ PreparedScene<Scalar> rounded(PreparedScene<double> scene) {
       round_all(from.surfaces, std::get<kind>(result.kinds).surfaces);
       round_all(from.shading, std::get<kind>(result.kinds).shading);
     });
+    for (const SharedMesh<double>& mesh : scene.meshes) result.meshes.push_back(rounded<Scalar>(mesh));
     const ToFormat<Scalar> round;
     result.lighting = {scene.lighting.lit, round(scene.lighting.ambient, 0), round(scene.lighting.towards_light, 0)};
     result.exponent = scene.exponent;

@@ -21,6 +21,10 @@ class SceneIntersector final : public Intersector {
     SceneContents contents;
     for_each_kind([&](auto kind) { contents.surfaces[kind] = std::get<kind>(scene_.kinds).surfaces.size(); });
     contents.inner_nodes = scene_.nodes.size();
+    for (const SharedMesh<Scalar>& mesh : scene_.meshes) {
+      contents.surfaces[index_of_kind<TriangleSurface>] += mesh.triangles.size();
+      contents.inner_nodes += mesh.hierarchy->node_count();
+    }
     contents.lights_with_shadows = illumination_ ? illumination_->lights_with_shadows() : 0;
     return contents;
   }

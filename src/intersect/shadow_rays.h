@@ -60,8 +60,9 @@ ShadowRays<Scalar>::ShadowRays(const Scene& description, const PreparedScene<dou
 template <class Scalar>
 bool ShadowRays<Scalar>::blocked(const Hit<Scalar>& hit, const glm::dvec3& position, const glm::dvec3& normal,
                                  const Incidence& incidence, Tests& tests) const {
+  const std::uint32_t surface = hit.kind == kind_of<InstanceSurface> ? instance_of_hit(scene_, hit.index) : hit.index;
   const double above =
-      margins_[static_cast<std::size_t>(hit.kind)][hit.index] + 2 * boxes_.margin().of(largest(position));
+      margins_[static_cast<std::size_t>(hit.kind)][surface] + 2 * boxes_.margin().of(largest(position));
   const auto in_format = [](const glm::dvec3& v) { return glm::dvec3(in_double(to_scalar<Scalar>(v))); };
   GeneralRay ray{in_format(position + normal * above), in_format(incidence.towards)};
   if (incidence.distance < std::numeric_limits<double>::infinity()) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "intersect/contest.h"
+#include "intersect/instanced_triangle.h"
 #include "intersect/prepared_scene.h"
 #include "intersect/rounded_scene.h"
 #include "raster/sample.h"
@@ -17,13 +18,15 @@ template <class Scalar>
 struct Hit {
   Scalar t{0};
   SurfaceKind kind{};
-  std::uint32_t index = 0;  ///< among the surfaces of its kind
+  std::uint32_t index = 0;  ///< among the surfaces of its kind; of instances instanced_triangle.h says more
 };
 
 /// Hits that lie clearly apart: the nearer leads, whatever they err by.
 template <class Scalar>
 class ClearStanding {
  public:
+  static constexpr bool by_relative_error = true;
+
   /// Enters a hit whose t errs by `relative_error` of itself at most; whether it leads now.
   bool enter(const Hit<Scalar>& hit, double relative_error) {
     const auto t = static_cast<double>(hit.t);
@@ -55,14 +58,25 @@ class ClearStanding {
 template <class Scalar>
 class CloseStanding {
  public:
+  static constexpr bool by_relative_error = false;  ///< it asks further
+
   CloseStanding(const PreparedScene<Scalar>& scene, const Vector<Scalar>& direction)
-      : scene_(scene), direction_(direction) {}
+      : scene_(&scene), direction_(&direction) {}
 
   /// Enters a hit; whether it leads now, or ends nearer than all before.
   bool enter(const Hit<Scalar>& hit, double relative_error) {
     const auto t = static_cast<double>(hit.t);
     if (t - t * relative_error > contest_.highest()) return false;
-    return with_kind(hit.kind, [&](auto kind) { return enter(hit, std::get<kind>(scene_.kinds).surfaces[hit.index]); });
+    return with_kind(hit.kind, [&](auto kind) {
+      if constexpr (kind == index_of_kind<InstanceSurface>) {
+        const InstancedTriangle<Scalar> triangle = triangle_of_hit(*scene_, hit.index);
+        return enter(hit, triangle.distance_range(*direction_, t, scene_->rounding), triangle.identity);
+      } else {
+        const auto& surface = std::get<kind>(scene_->kinds).surfaces[hit.index];
+        const DistanceRange range = distance_range(in_double(surface), in_double(*direction_), t, scene_->rounding);
+        return enter(hit, range, surface.identity);
+      }
+    });
   }
 
   const Hit<Scalar>* leader() const { return leader_.t > Scalar(0) ? &leader_ : nullptr; }
@@ -76,19 +90,16 @@ class CloseStanding {
   }
 
  private:
-  template <class Surface>
-  bool enter(const Hit<Scalar>& hit, const Surface& surface) {
+  bool enter(const Hit<Scalar>& hit, const DistanceRange& range, const SurfaceIdentity& identity) {
     const double end = contest_.highest();
-    const DistanceRange range =
-        distance_range(in_double(surface), in_double(direction_), static_cast<double>(hit.t), scene_.rounding);
-    const auto [object, order] = surface.identity;
+    const auto [object, order] = identity;
     const bool leads = contest_.enter(range, {object, static_cast<double>(hit.t), order});
     if (leads) leader_ = hit;
     return leads || contest_.highest() < end;
   }
 
-  const PreparedScene<Scalar>& scene_;
-  const Vector<Scalar>& direction_;
+  const PreparedScene<Scalar>* scene_;
+  const Vector<Scalar>* direction_;
   Contest contest_;
   Hit<Scalar> leader_;
 };

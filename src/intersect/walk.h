@@ -8,6 +8,7 @@
 
 #include "intersect/box_test.h"
 #include "intersect/illumination.h"
+#include "intersect/instance_walk.h"
 #include "intersect/prepared_scene.h"
 #include "intersect/standing.h"
 #include "intersect/traversal.h"
@@ -17,6 +18,14 @@
 
 namespace pyrasim {
 
+/// The same of an instance's triangle.
+template <class Scalar>
+[[gnu::noinline]] Sample shade_triangle(const PreparedScene<Scalar>& scene, const Vector<Scalar>& direction,
+                                        const Hit<Scalar>& hit) {
+  const InstancedTriangle<Scalar> triangle = triangle_of_hit(scene, hit.index);
+  return {{triangle.identity.object}, Shading(static_cast<double>(triangle.shade(scene.lighting, direction)))};
+}
+
 /// What the ray sees of the surface that it met, if any.
 template <class Scalar>
 [[gnu::always_inline]] inline Sample shade(const PreparedScene<Scalar>& scene, const Vector<Scalar>& direction,
@@ -25,10 +34,14 @@ template <class Scalar>
   if (scene.illumination != nullptr) return scene.illumination->sample(direction, *hit, work);
   return with_kind(
       hit->kind, [&](auto kind) __attribute__((always_inline)) {
-        const auto& [surfaces, shading] = std::get<kind>(scene.kinds);
-        const auto& surface = surfaces[hit->index];
-        const Scalar seen = surface.shade(shading[hit->index], scene.lighting, direction, hit->t);
-        return Sample{{surface.identity.object}, Shading(static_cast<double>(seen))};
+        if constexpr (kind == index_of_kind<InstanceSurface>) {
+          return shade_triangle(scene, direction, *hit);
+        } else {
+          const auto& [surfaces, shading] = std::get<kind>(scene.kinds);
+          const auto& surface = surfaces[hit->index];
+          const Scalar seen = surface.shade(shading[hit->index], scene.lighting, direction, hit->t);
+          return Sample{{surface.identity.object}, Shading(static_cast<double>(seen))};
+        }
       });
 }
 
@@ -65,7 +78,12 @@ class Walk {
       with_kind(
           run->kind, [&](auto kind) __attribute__((always_inline)) {
             constexpr bool may_be_here = surface_traits[kind].extent != Extent::unbounded;
-            if constexpr (may_be_here && kind != index_of_kind<SphereSurface>) test_run<kind>(*run);
+            if constexpr (kind == index_of_kind<InstanceSurface>) {
+              standing_ = after_instances(scene_, ray_.direction, *run, standing_, work_);
+              lower_depth_limit();
+            } else if constexpr (may_be_here && kind != index_of_kind<SphereSurface>) {
+              test_run<kind>(*run);
+            }
           });
     } while (run++->more);
   }
@@ -99,7 +117,10 @@ class Walk {
   }
 
   void offer(const Hit<Scalar>& hit, double relative_error) {
-    if (!(hit.t > Scalar(0)) || !standing_.enter(hit, relative_error)) return;
+    if (hit.t > Scalar(0) && standing_.enter(hit, relative_error)) lower_depth_limit();
+  }
+
+  void lower_depth_limit() {
     depth_limit_ = static_cast<DepthLimit<Scalar>>(standing_.highest() * static_cast<double>(ray_.direction.x));
   }
 

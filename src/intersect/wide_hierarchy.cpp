@@ -62,10 +62,11 @@ class Widening {
       if (const auto bounds = slope_bounds(surfaces[k], margin.of(surfaces[k]))) {
         bounded_.push_back({kind_at<kind>, k});
         bounds_.push_back(*bounds);
-        if constexpr (!requires { surfaces[k].error; }) {
-          errors_.push_back(relative_error(surfaces[k], scene_.rounding));
+        using Surface = std::decay_t<decltype(surfaces[k])>;
+        if constexpr (requires { surfaces[k].error; } || SharesMesh<Surface>) {
+          errors_.push_back(0);  // it knows its own, or each of its triangles does
         } else {
-          errors_.push_back(0);
+          errors_.push_back(relative_error(surfaces[k], scene_.rounding));
         }
       } else {
         move<kind>(k);
@@ -152,11 +153,15 @@ class Widening {
 
 }  // namespace
 
-void build_wide_hierarchy(PreparedScene<double>& scene, const Screen& screen, const NumberFormat& format) {
+Margin margin_of_view_rays(const PreparedScene<double>& scene, const Screen& screen, const NumberFormat& format) {
   const double half_y = screen.rows * screen.dy / (2 * screen.dx);
   const double half_z = screen.columns * screen.dz / (2 * screen.dx);
   const double longest_squared = 1 + half_y * half_y + half_z * half_z;
-  Widening(scene, screen, Margin(format, longest_squared, scene.rounding)).build();
+  return {format, longest_squared, scene.rounding};
+}
+
+void build_wide_hierarchy(PreparedScene<double>& scene, const Screen& screen, const Margin& margin) {
+  Widening(scene, screen, margin).build();
 }
 
 }  // namespace pyrasim

@@ -82,6 +82,12 @@ void write_lights(PovWriter& pov, const Scene& scene) {
   write_lights(pov, {AmbientLight{glm::dvec3(ambient)}, DirectionalLight{direction, glm::dvec3(1 - ambient), false}});
 }
 
+void declare_meshes(PovWriter& pov, const std::vector<Object>& objects) {
+  for (const Object& object : objects) {
+    if (const auto* instance = std::get_if<MeshInstance>(&object.surface)) instance->declare_pov(pov);
+  }
+}
+
 void write_object(PovWriter& pov, std::size_t number, const Object& object, const glm::dvec3& color) {
   pov.comment(object.name.empty() ? fmt::format("object {}", number)
                                   : fmt::format("object {}: {}", number, one_line(object.name)));
@@ -119,6 +125,7 @@ std::string pov_scene(const Scene& scene, bool ids, const std::string& remark) {
   pov.object("background", "rgb", ids ? glm::dvec3(0) : scene.background);
   pov.new_line();
   ids ? write_finish(pov, glm::dvec3(1), 0) : write_lights(pov, scene);
+  declare_meshes(pov, scene.objects);
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     write_object(pov, k, scene.objects[k], ids ? id_color(k) : scene.objects[k].color);
   }

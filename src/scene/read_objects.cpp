@@ -26,7 +26,26 @@ struct Shape {
   std::optional<AffineMap> map;  ///< none where no transform is written
 };
 
-/// The shapes of a scene, by name; each is read when it is asked for first.
+/// Surfaces that the datapath tells apart, those of instances too, have numbers of 32 bits.
+class SurfaceNumbers {
+ public:
+  void count(const SceneSurface& surface, const JsonReader& object) {
+    std::uint64_t surfaces = 1;
+    if (const auto* mesh = std::get_if<Mesh>(&surface)) surfaces = mesh->triangles.size();
+    if (const auto* instance = std::get_if<MeshInstance>(&surface)) surfaces = instance->of->mesh.triangles.size();
+    count_ += surfaces;
+    if (count_ > most) {
+      object.fail(fmt::format("it brings the scene to {} surfaces, triangles of instances included", count_),
+                  fmt::format("{} are allowed", most));
+    }
+  }
+
+ private:
+  static constexpr std::uint64_t most = 0xFFFFFFFF;
+  std::uint64_t count_ = 0;
+};
+
+/// The shapes of a scene, by name; each is read when it is asked for first. Instances of a mesh share it.
 class Shapes {
  public:
   Shapes(const JsonReader& scene, const SceneReading& reading) : reading_(reading) {
@@ -93,6 +112,10 @@ class Shapes {
     }
     open_.push_back(name);
     Shape shape = read(written_.at(name), {"type", "transform"});
+    if (const auto* mesh = std::get_if<Mesh>(shape.surface.get())) {
+      shape.surface =
+          std::make_shared<const SceneSurface>(MeshInstance{std::make_shared<const InstancedMesh>(*mesh), {}});
+    }
     open_.pop_back();
     shapes_.emplace(name, shape);
     return shape;
@@ -108,11 +131,13 @@ class Shapes {
 
 std::vector<Object> read_objects(const JsonReader& scene, const SceneReading& reading) {
   Shapes shapes(scene, reading);
+  SurfaceNumbers numbers;
   std::vector<Object> objects;
   for (const JsonReader& reader : scene.member("objects").elements()) {
     const Shape shape = shapes.read(reader, {"name", "type", "color", "shadow", "transform"});
     objects.push_back({reader.optional_string("name").value_or(""), reader.member("color").vec3(color_components),
                        Shapes::place(shape, reader), reader.optional_boolean("shadow").value_or(true)});
+    numbers.count(objects.back().surface, reader);
   }
   return objects;
 }

@@ -17,6 +17,7 @@
 #include "surface/disc.h"
 #include "surface/ellipsoid.h"
 #include "surface/framed_quadric.h"
+#include "surface/instance.h"
 #include "surface/mesh.h"
 #include "surface/parallelepiped.h"
 #include "surface/plane.h"
@@ -44,14 +45,14 @@ struct Extended<std::variant<Surface...>, More...> {
 }  // namespace surface_list
 
 /// And what transforms may make of it.
-using SceneSurface = surface_list::Extended<WrittenSurface, Parallelepiped, FramedQuadric>::Type;
+using SceneSurface = surface_list::Extended<WrittenSurface, Parallelepiped, FramedQuadric, MeshInstance>::Type;
 
 /// What a ray may meet; the order is that of counts, of costs, and within a leaf of the hierarchy.
 template <class Scalar>
 using SurfaceTypes =
     std::tuple<SphereSurface<Scalar>, PlaneSurface<Scalar>, TriangleSurface<Scalar>, DiscSurface<Scalar>,
                BoxSurface<Scalar>, EllipsoidSurface<Scalar>, CylinderSurface<Scalar>, ConeSurface<Scalar>,
-               QuadricSurface<Scalar>, TorusSurface<Scalar>>;
+               QuadricSurface<Scalar>, TorusSurface<Scalar>, InstanceSurface<Scalar>>;
 
 inline constexpr std::size_t surface_kinds = std::tuple_size_v<SurfaceTypes<double>>;
 

@@ -22,6 +22,16 @@ void PovWriter::matrix(const std::array<glm::dvec3, 3>& axes, const glm::dvec3& 
   fmt::format_to(std::back_inserter(text_), "{}, {}, {}>", origin.x, origin.y, origin.z);
 }
 
+void PovWriter::declared(const void* thing) { item(fmt::format("Shared_{}", declared_.at(thing))); }
+
+bool PovWriter::declare(const void* thing) {
+  if (!declared_.emplace(thing, declared_.size()).second) return false;
+  item(std::string_view("#declare"));
+  declared(thing);
+  item(std::string_view("="));
+  return true;
+}
+
 void PovWriter::begin(std::string_view name) {
   item(name);
   text_ += " {";

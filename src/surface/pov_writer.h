@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -25,6 +27,11 @@ class PovWriter {
 
   /// Where the points 1 along the axes go, less where the origin goes, and that.
   void matrix(const std::array<glm::dvec3, 3>& axes, const glm::dvec3& origin);
+
+  /// The name that declare() gave to it.
+  void declared(const void* thing);
+  /// `#declare name =`, if that has not been said of `thing`: whether what it is has to follow.
+  bool declare(const void* thing);
 
   /// `name {`, whose items follow.
   void begin(std::string_view name);
@@ -49,6 +56,7 @@ class PovWriter {
   void separate();
 
   std::string text_;
+  std::map<const void*, std::size_t> declared_;
   bool after_argument_ = false;
 };
 

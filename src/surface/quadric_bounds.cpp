@@ -17,16 +17,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::array<glm::dvec3, 8> corners_of(const Enclosure<double>& enclosure) {
-  std::array<glm::dvec3, 8> corners;
-  const auto& [a, b, c] = enclosure.half;
-  for (std::size_t k = 0; k < 8; ++k) {
-    corners[k] = enclosure.center + a * (k % 2 == 0 ? -1.0 : 1.0) + b * (k / 2 % 2 == 0 ? -1.0 : 1.0) +
-                 c * (k / 4 == 0 ? -1.0 : 1.0);
-  }
-  return corners;
-}
-
 /// By how much the numbers of a quadric err, as the datapath holds them, and its direction m as it works it out.
 QuadricErrors errors_of(const QuadricForm<double>& form, const Vector<double>& direction, double size,
                         const RoundingUnits& rounding) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "surface/curved_shading.h"
+#include "surface/enclosure.h"
 #include "surface/half_space.h"
 #include "surface/lighting.h"
 #include "surface/quadric_form.h"
@@ -14,18 +15,6 @@
 #include "surface/view_ray.h"
 
 namespace pyrasim {
-
-/// A box at any angle about a surface.
-template <class Scalar>
-struct Enclosure {
-  Vector<Scalar> center;
-  std::array<Vector<Scalar>, 3> half;  ///< from the centre to the middles of three faces
-
-  template <class Other, class Number>
-  Enclosure<Other> mapped(const Number& number) const {
-    return {number(center, 1), number(half, 1)};
-  }
-};
 
 /// `planes`: so many half-spaces at most.
 template <class Scalar, std::size_t planes>

@@ -18,14 +18,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A triangle's vertices as the shear moves them, and the edge functions of these.
 class ShearedTriangle {
  public:
-  ShearedTriangle(const TriangleSurface<double>& triangle, const Vector<double>& direction,
+  ShearedTriangle(const TriangleSurface<double>& triangle, const Vector<double>& direction, double written,
                   const RoundingUnits& rounding)
       : shear_(direction),
         u_(rounding.relative),
         a_(rounding.absolute),
         scale_(direction[static_cast<int>(shear_.kz)]),
-        largest_(reach(triangle)),
-        written_(rounding.written(largest_)) {
+        written_(written) {
     // Slopes are those of the view vector unless another component than x is its largest.
     slope_error_ = scale_ == 1 ? 0 : 2 * u_ + a_ * (1 + std::abs(scale_));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -35,9 +34,6 @@ class ShearedTriangle {
       move(k, 1, vertex[shear_.ky], shear_.sy);
     }
   }
-
-  double largest() const { return largest_; }
-  double written() const { return written_; }
 
   /// By how much t errs. The depth is the mean of the vertices' depths weighted by the edge functions, which have one
   /// sign where the triangle counts as hit: an error of a weight pulls it towards that vertex, and whatever the weights
@@ -87,7 +83,6 @@ class ShearedTriangle {
   double u_;
   double a_;
   double scale_;  ///< the view vector's component along which depths are
-  double largest_;
   double written_;
   double slope_error_ = 0;
   std::array<double, 3> depth_{};
@@ -176,12 +171,18 @@ double relative_error(const TriangleSurface<double>& surface, const RoundingUnit
   return if_of_use(2 * ((extent * edges_error + 8 * a) / left + own / nearest), rounding);
 }
 
+double distance_error(const TriangleSurface<double>& surface, const Vector<double>& direction, double t,
+                      double displaced, const RoundingUnits& rounding) {
+  return ShearedTriangle(surface, direction, displaced, rounding).error(t) * second_order(rounding);
+}
+
 DistanceRange distance_range(const TriangleSurface<double>& surface, const Vector<double>& direction, double t,
                              const RoundingUnits& rounding) {
-  const ShearedTriangle sheared(surface, direction, rounding);
-  const double error = sheared.error(t) * second_order(rounding);
+  const double size = reach(surface);
+  const double written = rounding.written(size);
+  const double error = distance_error(surface, direction, t, written, rounding);
   const auto& [a, b, c] = surface.vertices;
-  const double margin = rounding.relative * sheared.largest() + rounding.absolute + sheared.written();
+  const double margin = rounding.relative * size + rounding.absolute + written;
   return within_bounds({t - error, t + error}, std::min({a[0], b[0], c[0]}) - margin,
                        std::max({a[0], b[0], c[0]}) + margin, direction);
 }

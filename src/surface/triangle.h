@@ -82,6 +82,10 @@ double reach(const TriangleSurface<double>& triangle);
 double relative_error(const TriangleSurface<double>& triangle, const RoundingUnits& rounding);
 DistanceRange distance_range(const TriangleSurface<double>& triangle, const Vector<double>& direction, double t,
                              const RoundingUnits& rounding);
+/// By how much t errs at most, if no coordinate of the triangle, before it is rounded to the format, lies further than
+/// `displaced` from what the scene says.
+double distance_error(const TriangleSurface<double>& triangle, const Vector<double>& direction, double t,
+                      double displaced, const RoundingUnits& rounding);
 std::optional<BoundingBox> slope_bounds(const TriangleSurface<double>& triangle, double margin);
 std::optional<BoundingBox> bounds(const TriangleSurface<double>& triangle);
 

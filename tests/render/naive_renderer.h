@@ -202,6 +202,7 @@ class NaiveRenderer {
   /// Random scenes have no transforms.
   static double distance(const Parallelepiped&, const glm::dvec3&) { return 0; }
   static double distance(const FramedQuadric&, const glm::dvec3&) { return 0; }
+  static double distance(const MeshInstance&, const glm::dvec3&) { return 0; }
 
   const Scene& scene_;
   int max_level_;
