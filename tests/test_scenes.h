@@ -2,7 +2,9 @@
 // Scenes that tests make by hand or by a seed. The camera stands in the observer's own frame: x forward, y up, z right.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <memory>
 #include <random>
 #include <utility>
 
@@ -36,6 +38,7 @@ struct RandomContents {
   int boxes = 0;
   int quadrics = 0;  ///< each kind of them in turn
   int tori = 0;
+  int instances = 0;  ///< of one mesh
 };
 
 /// A paraboloid, a hyperboloid of one sheet or two, or an ellipsoid about `middle`, within a box of half its size.
@@ -79,6 +82,34 @@ inline SceneSurface random_quadric(std::mt19937_64& random, const glm::dvec3& mi
   }
 }
 
+/// Eight triangles, closed, about a place beside the mesh's origin.
+inline std::shared_ptr<const InstancedMesh> octahedron() {
+  const glm::dvec3 middle(0.25, 1, -0.5);
+  Mesh mesh;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-0.75, 0.5}) {
+      glm::dvec3 vertex = middle;
+      vertex[axis] += side;
+      mesh.vertices.push_back(vertex);
+    }
+  }
+  for (std::uint32_t k = 0; k < 8; ++k) mesh.triangles.push_back({k & 1U, 2 + (k >> 1U & 1U), 4 + (k >> 2U)});
+  return std::make_shared<const InstancedMesh>(mesh);
+}
+
+/// Turned about an axis, stretched by up to 4 times as much along one axis as along another, its middle at `place`.
+inline MeshInstance random_instance(std::mt19937_64& random, const std::shared_ptr<const InstancedMesh>& mesh,
+                                    const glm::dvec3& place) {
+  const auto factor = [&] {
+    return std::exp2(std::uniform_real_distribution<double>(-2, 0)(random)) * (random() % 4 == 0 ? -1.5 : 1.5);
+  };
+  AffineMap map = AffineMap::translation(-mesh->box.center());
+  map = AffineMap::scaling({factor(), factor(), factor()}).after(map);
+  map = AffineMap::rotation(random_vector(random, glm::dvec3(-1), glm::dvec3(1)), static_cast<double>(random() % 360))
+            .after(map);
+  return MeshInstance{mesh, {}}.transformed(AffineMap::translation(place).after(map));
+}
+
 /// Surfaces of mixed sizes scattered in front of the observer, in a random order, lit.
 inline Scene random_scene(std::uint64_t seed, const RandomContents& contents, int columns, int rows) {
   std::mt19937_64 random(seed);
@@ -120,6 +151,10 @@ inline Scene random_scene(std::uint64_t seed, const RandomContents& contents, in
     const double major = std::uniform_real_distribution<double>(0.1, 1.2)(random);
     const double minor = major * std::uniform_real_distribution<double>(0.1, 1)(random);
     scene.objects.push_back(object(Torus{center, axis, major, minor}, color()));
+  }
+  const auto mesh = octahedron();
+  for (int k = 0; k < contents.instances; ++k) {
+    scene.objects.push_back(object(random_instance(random, mesh, place()), color()));
   }
   for (std::size_t k = scene.objects.size(); k > 1; --k) std::swap(scene.objects[k - 1], scene.objects[random() % k]);
   return scene;

@@ -48,7 +48,7 @@ TEST_F(LoadMachine, EveryKeyOfAFile) {
     "view_vector_generator": {"latency": 4, "interval": 5},
     "intersection": {"units": 6, "latency": 7,
                      "cost": {"ray": 8, "box_test": 9, "sphere": 10, "plane": 11, "triangle": 0, "disc": 24, "box": 25, "ellipsoid": 26,
-                              "cylinder": 27, "cone": 28, "quadric": 29, "torus": 30}},
+                              "cylinder": 27, "cone": 28, "quadric": 29, "torus": 30, "instance": 31}},
     "pyramid_classifier": {"latency": 12, "interval": 13},
     "subdivision_controller": {"latency": 14, "interval": 15, "pool": 16},
     "color_unit": {"latency": 24, "interval": 25},

@@ -69,10 +69,12 @@ class PlainWalk {
       if (run.kind != kind_at<kind>) return;
       for (std::uint32_t k = 0; k < run.count; ++k) {
         ++work_.surface_tests[kind];
-        const auto& surface = std::get<kind>(scene_.kinds).surfaces.at(run.first + k);
-        const ViewRay<Scalar> ray(direction_);
-        const typename std::tuple_element_t<kind, SurfaceTypes<Scalar>>::Terms terms(ray);
-        meet(surface.intersect(terms), run.relative_error, surface);
+        if constexpr (kind != index_of_kind<InstanceSurface>) {  // instanced_triangle_test.cpp counts these
+          const auto& surface = std::get<kind>(scene_.kinds).surfaces.at(run.first + k);
+          const ViewRay<Scalar> ray(direction_);
+          const typename std::tuple_element_t<kind, SurfaceTypes<Scalar>>::Terms terms(ray);
+          meet(surface.intersect(terms), run.relative_error, surface);
+        }
       }
     });
   }
@@ -144,7 +146,10 @@ TYPED_TEST(WorkOf, ARayIsThatOfAPlainWalk) {
   }
   EXPECT_LT(close, known / 10);
   EXPECT_GT(all.box_tests, static_cast<std::uint64_t>(rays));
-  for (const std::uint64_t tests : all.surface_tests) EXPECT_GT(tests, static_cast<std::uint64_t>(rays) / 16);
+  for_each_kind([&](auto kind) {
+    if (kind == index_of_kind<InstanceSurface>) return;
+    EXPECT_GT(all.surface_tests[kind], static_cast<std::uint64_t>(rays) / 16);
+  });
 }
 
 /// What a hit in a leaf errs by at most decides how much is looked at behind it.
@@ -162,7 +167,7 @@ TYPED_TEST(WorkOf, ALeafErrsByTheMostOfItsSurfaces) {
       for (std::uint32_t s = run.first; s < run.first + run.count; ++s, ++surfaces) {
         const double error = with_kind(run.kind, [&](auto kind) {
           const auto& surface = std::get<kind>(prepared.kinds).surfaces.at(s);
-          if constexpr (requires { surface.error; }) {
+          if constexpr (requires { surface.error; } || kind == index_of_kind<InstanceSurface>) {
             ADD_FAILURE() << "it knows its error itself";
             return 0.0;
           } else {

@@ -235,9 +235,11 @@ std::vector<Contact> contacts(const ExactScene& scene, const Ray& ray, const Rou
   const Nearby nearby(scene, ray, rounding);
   for_each_kind([&](auto kind) {
     const auto& surfaces = scene.surfaces<kind>();
-    for (std::size_t k = 0; k < surfaces.size(); ++k) {
-      if (kind_at<kind> == kind_of<TriangleSurface> && !nearby(scene.extents()[k])) continue;
-      add(kind_at<kind>, surfaces[k], k);
+    if constexpr (kind != index_of_kind<InstanceSurface>) {
+      for (std::size_t k = 0; k < surfaces.size(); ++k) {
+        if (kind_at<kind> == kind_of<TriangleSurface> && !nearby(scene.extents()[k])) continue;
+        add(kind_at<kind>, surfaces[k], k);
+      }
     }
   });
   std::size_t nearest = result.size();
@@ -362,7 +364,13 @@ Verdict verdict(const ExactScene& scene, const Ray& ray, const Contact& contact,
   const auto of = [&](const auto& surface) {
     return with_range(verdict(surface, ray, contact, rounding), scene, surface, ray, contact, rounding);
   };
-  return with_kind(contact.kind, [&](auto kind) { return of(scene.surfaces<kind>()[contact.index]); });
+  return with_kind(contact.kind, [&](auto kind) {
+    if constexpr (kind == index_of_kind<InstanceSurface>) {
+      return Verdict{};  // there is none
+    } else {
+      return of(scene.surfaces<kind>()[contact.index]);
+    }
+  });
 }
 
 }  // namespace pyrasim::silhouettes

@@ -33,6 +33,7 @@ ExactScene::ExactScene(const Scene& scene) : prepared_(prepare_scene(scene, {}))
   for (const auto& torus : surfaces_of<TorusSurface>(prepared_)) {
     require(torus.side > 0, "error bounds are for an observer outside of tori");
   }
+  require(surfaces_of<InstanceSurface>(prepared_).empty(), "there are no error bounds for instances here");
   find_extents();
   find_neighbors();
 }

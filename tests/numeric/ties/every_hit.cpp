@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "every_hit.h"
 
+#include "../../intersect/every_surface.h"
 #include "intersect/rounded_scene.h"
 #include "numeric/arithmetic_events.h"
 #include "numeric/number_types.h"
@@ -20,19 +21,18 @@ class EveryHitIn final : public EveryHit {
     const auto direction = to_scalar<Scalar>(view_vector);
     const ViewRay<Scalar> ray(direction);
     for_each_kind([&](auto kind) {
-      using Surface = std::tuple_element_t<kind, SurfaceTypes<Scalar>>;
-      const typename Surface::Terms terms(ray);
-      for (std::size_t k = 0; k < std::get<kind>(scene_.kinds).surfaces.size(); ++k) {
-        const Surface& surface = std::get<kind>(scene_.kinds).surfaces[k];
+      for_each_met<kind>(scene_, [&](const auto& surface, std::uint32_t k) {
+        using Surface = std::decay_t<decltype(surface)>;
+        const typename Surface::Terms terms(ray);
         arithmetic_events = {};
         const Scalar t = surface.intersect(terms);
         const bool saturated = arithmetic_events.saturations > 0;
-        if (!(t > Scalar(0))) continue;
+        if (!(t > Scalar(0))) return;
         const auto value = static_cast<double>(t);
         hits.push_back({kind_at<kind>, surface.identity, value,
-                        distance_range(in_double(surface), in_double(direction), value, scene_.rounding),
+                        range_of_met(surface, direction, value, scene_.rounding),
                         error_of(std::get<kind>(prepared_.kinds).surfaces[k], value, ray), saturated});
-      }
+      });
     });
     return hits;
   }
@@ -42,7 +42,9 @@ class EveryHitIn final : public EveryHit {
  private:
   template <class Surface>
   double error_of(const Surface& surface, double t, const ViewRay<Scalar>& ray) const {
-    if constexpr (requires { surface.error; }) {
+    if constexpr (SharesMesh<Surface>) {
+      return std::numeric_limits<double>::infinity();  // nothing is known before there is a ray
+    } else if constexpr (requires { surface.error; }) {
       return surface.error.at(t, static_cast<double>(ray.inverse_length_squared));
     } else {
       return relative_error(surface, prepared_.rounding);

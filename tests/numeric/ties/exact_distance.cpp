@@ -38,9 +38,8 @@ std::optional<Real> distance(const Plane& plane, const WorldRay& ray) {
   return ahead((written(plane.offset) - dot(normal, ray.origin)) / approach);
 }
 
-std::optional<Real> distance(const Triangle& triangle, const WorldRay& ray) {
-  std::array<RealVector, 3> vertex;
-  for (std::size_t k = 0; k < 3; ++k) vertex[k] = written(triangle.vertices[k]) - ray.origin;
+/// `vertex`: from the ray's origin.
+std::optional<Real> triangle_distance(const std::array<RealVector, 3>& vertex, const WorldRay& ray) {
   bool negative = false;
   bool positive = false;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -52,6 +51,12 @@ std::optional<Real> distance(const Triangle& triangle, const WorldRay& ray) {
   const Real approach = dot(normal, ray.direction);
   if ((negative && positive) || approach == Real(0)) return std::nullopt;
   return ahead(dot(normal, vertex[0]) / approach);
+}
+
+std::optional<Real> distance(const Triangle& triangle, const WorldRay& ray) {
+  std::array<RealVector, 3> vertex;
+  for (std::size_t k = 0; k < 3; ++k) vertex[k] = written(triangle.vertices[k]) - ray.origin;
+  return triangle_distance(vertex, ray);
 }
 
 std::optional<Real> distance(const Disc& disc, const WorldRay& ray) {
@@ -204,6 +209,30 @@ std::optional<Real> distance(const Torus& torus, const WorldRay& ray) {
 }
 
 std::optional<Real> distance(const Mesh&, const WorldRay&) { return std::nullopt; }
+
+/// A number of 113 bits, as two of double's.
+Real real(Quadruple x) {
+  const auto high = static_cast<double>(x);
+  return Real(high) + Real(static_cast<double>(x - high));
+}
+RealVector real(const QuadrupleVector& v) { return {real(v[0]), real(v[1]), real(v[2])}; }
+
+/// The map is exact as 113 bits have it.
+std::optional<Real> distance(const MeshInstance& instance, const WorldRay& ray) {
+  const RealVector x = real(instance.map.direction({1, 0, 0})), y = real(instance.map.direction({0, 1, 0})),
+                   z = real(instance.map.direction({0, 0, 1}));
+  std::optional<Real> nearest;
+  for (const auto& triangle : instance.of->mesh.triangles) {
+    std::array<RealVector, 3> vertex;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const RealVector v = written(instance.of->mesh.vertices[triangle[k]]);
+      vertex[k] = x * v.x + y * v.y + z * v.z + real(instance.map.offset()) - ray.origin;
+    }
+    const auto t = triangle_distance(vertex, ray);
+    if (t && (!nearest || *t < *nearest)) nearest = t;
+  }
+  return nearest;
+}
 
 /// What transforms make of surfaces is compared with the surfaces themselves, met by rays that are mapped back.
 std::optional<Real> distance(const Parallelepiped&, const WorldRay&) { return std::nullopt; }
