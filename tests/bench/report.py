@@ -3,6 +3,7 @@
 """Runs the benchmarks and prints their ratios as Markdown: report.py FOLDER_OF_BENCHMARKS ROUNDS"""
 import json
 import os
+import random
 import re
 import subprocess
 import sys
@@ -43,6 +44,54 @@ def against_povray(folder, rounds):
     print("| spheres, 640x480, one thread | million primary rays a second | ratio |\n|---|---|---|")
     print(f"| POV-Ray `+WT1 -A` | {theirs / 1e6:.2f} | 1 |")
     print(f"| pyrasim `render --threads 1`, double | {mine / 1e6:.2f} | {mine / theirs:.2f} |\n")
+
+
+def thousand_spheres(shadow):
+    """Over a plane, under a lamp and a sun that cast shadows or do not."""
+    dice = random.Random(5)
+    between = dice.uniform
+    objects = [{"type": "plane", "normal": [0, 1, 0], "offset": -6, "color": [0.8, 0.8, 0.8]}]
+    objects += [{"type": "sphere", "center": [between(12, 40), between(-6, 8), between(-13, 13)],
+                 "radius": between(0.2, 0.7), "color": [between(0, 1), between(0, 1), between(0, 1)]}
+                for _ in range(1000)]
+    lights = [{"type": "ambient", "color": [0.1, 0.1, 0.1]},
+              {"type": "point", "position": [10, 20, 8], "color": [0.6, 0.6, 0.6], "shadow": shadow},
+              {"type": "directional", "direction": [1, -1, 0.5], "color": [0.4, 0.4, 0.4], "shadow": shadow}]
+    screen = {"columns": 1600, "rows": 1200, "horizontal_fov": 60}
+    return {"camera": {"position": [0, 0, 0], "look_at": [1, 0, 0], "screen": screen}, "lights": lights,
+            "objects": objects}
+
+
+def user_seconds(command):
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    status, usage = os.wait4(process.pid, 0)[1:]
+    if status:
+        raise SystemExit(f"{' '.join(command)} failed")
+    return usage.ru_utime
+
+
+def shadows_against_povray(folder, rounds):
+    """What shadows add to one ray a pixel, 1600x1200, one thread: both ask the same lights from the same places."""
+    with tempfile.TemporaryDirectory() as temporary:
+        povray, ours = {}, {}
+        for shadow in (True, False):
+            scene, pov, statistics = (os.path.join(temporary, f"{shadow}.{kind}") for kind in ("json", "pov", "stats"))
+            with open(scene, "w", encoding="utf-8") as file:
+                json.dump(thousand_spheres(shadow), file)
+            subprocess.run([program(folder), "export", scene, "-o", pov], check=True)
+            povray[shadow] = ["povray", "+WT1", "-A", "-D", "-F", "+W1600", "+H1200", f"+I{pov}"]
+            ours[shadow] = [program(folder), "render", scene, "--method", "point", "--threads", "1", "--stats", statistics]
+        times = {name: {shadow: [] for shadow in (True, False)} for name in ("povray", "ours")}
+        for _ in range(rounds):
+            for name, commands in (("povray", povray), ("ours", ours)):
+                for shadow, command in commands.items():
+                    times[name][shadow].append(user_seconds(command))
+        with open(os.path.join(temporary, "True.stats"), encoding="utf-8") as file:
+            rays = json.load(file)["rays"]["shadow"]["total"]
+    theirs, mine = (rays / (min(of[True]) - min(of[False])) for of in (times["povray"], times["ours"]))
+    print("| 1,000 spheres and a plane, 2 lights, one thread | million shadow rays a second | ratio |\n|---|---|---|")
+    print(f"| POV-Ray `+WT1 -A` | {theirs / 1e6:.2f} | 1 |")
+    print(f"| pyrasim `render --method point --threads 1`, double | {mine / 1e6:.2f} | {mine / theirs:.2f} |\n", flush=True)
 
 
 def bench(folder, scene, rounds, size="640x480", settings=()):
@@ -93,6 +142,7 @@ def memory(folder):
 def main():
     folder, rounds = sys.argv[1], int(sys.argv[2])
     against_povray(folder, rounds)
+    shadows_against_povray(folder, rounds)
     simulations(folder, rounds)
     scaling(folder, rounds)
     memory(folder)
