@@ -49,7 +49,7 @@ class BoxHierarchy {
   /// Bit k: the ray may meet what the box of child k holds at a t of at most `limit`.
   static unsigned met(const Node& node, const Query& query, double limit);
 
-  const Node* nodes() const { return nodes_.data(); }
+  const std::vector<Node>& nodes() const { return nodes_; }
   std::int32_t root() const { return root_; }  ///< as Node::child
   const Leaf& leaf(std::int32_t reference) const { return leaves_[static_cast<std::size_t>(~reference)]; }
   /// The boxes' numbers, in the order of leaves.

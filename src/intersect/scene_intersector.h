@@ -21,7 +21,10 @@ class SceneIntersector final : public Intersector {
     SceneContents contents;
     for_each_kind([&](auto kind) { contents.surfaces[kind] = std::get<kind>(scene_.kinds).surfaces.size(); });
     contents.inner_nodes = scene_.nodes.size();
-    contents.lights_with_shadows = illumination_ ? illumination_->lights_with_shadows() : 0;
+    if (illumination_) {
+      contents.lights_with_shadows = illumination_->lights_with_shadows();
+      contents.shadow_inner_nodes = illumination_->inner_nodes();
+    }
     return contents;
   }
   const PreparedScene<Scalar>& scene() const { return scene_; }

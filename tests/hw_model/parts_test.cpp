@@ -49,6 +49,15 @@ Scene scene_of(std::initializer_list<SceneSurface> surfaces) {
   return scene;
 }
 
+/// Two spheres in one place of the screen, far from each other: one leaf for view rays, two for shadow rays.
+Frame one_sphere_before_another() {
+  Scene scene = scene_of({Sphere{{5, 0, 0}, 1}, Sphere{{50, 0, 0}, 10}});
+  scene.lights = {DirectionalLight{{1, -1, 0}, {1, 1, 1}}};
+  Names others = with({controller, shadows}, {"sphere"}, false);
+  others.insert(shadows + ".hierarchy_walker");
+  return {"one sphere before another", std::move(scene), 2, 2, std::move(others)};
+}
+
 std::vector<Frame> frames() {
   const Sphere ball{{5, 0, 0}, 1};
   const Plane floor{{0, 1, 0}, -1};
@@ -69,6 +78,7 @@ std::vector<Frame> frames() {
       {"one plane", scene_of({floor}), 0, 1, with({}, {"plane"}, false)},
       {"one sphere on a plane", scene_of({ball, floor}), 2, 4, with({controller}, {"sphere", "plane"}, false)},
       {"two spheres", scene_of({ball, Sphere{{5, 1, 2}, 1}}), 2, 1, with({controller}, {"sphere"})},
+      one_sphere_before_another(),
   };
 }
 
