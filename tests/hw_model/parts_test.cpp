@@ -127,7 +127,7 @@ void expect_accounted(const Processor& machine) {
   EXPECT_EQ(of_boxes, of_stages);
   const FrameStatistics counts = machine.statistics();
   EXPECT_EQ(of_unit, of_its_parts + machine.spec().intersection_cost.ray * counts.total_rays());
-  if (counts.work.shadow.lights == 0) return;
+  if (counts.lights_with_shadows == 0) return;
   EXPECT_EQ(of_shadows,
             of_their_parts + counts.total_rays() + machine.spec().shadow_unit.ray * counts.work.shadow.total_rays());
 }
