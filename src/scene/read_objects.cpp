@@ -109,8 +109,11 @@ class Shapes {
 std::vector<Object> read_objects(const JsonReader& scene, const SceneReading& reading) {
   Shapes shapes(scene, reading);
   std::vector<Object> objects;
-  for (const JsonReader& reader : scene.member("objects").elements()) {
-    const Shape shape = shapes.read(reader, {"name", "type", "color", "shadow", "transform"});
+  const Keys keys{"name", "type", "color", "shadow", "transform"};
+  const JsonElements elements = scene.member("objects").elements();
+  objects.reserve(elements.size());
+  for (const JsonReader& reader : elements) {
+    const Shape shape = shapes.read(reader, keys);
     objects.push_back({reader.optional_string("name").value_or(""), reader.member("color").vec3(color_components),
                        Shapes::place(shape, reader), reader.optional_boolean("shadow").value_or(true)});
   }

@@ -55,7 +55,7 @@ TEST_F(Transforms, AScaledSphereIsAnEllipsoid) {
   const auto ellipsoid = std::get<Ellipsoid>(loaded(ball, R"({"scale": [1, -2, 0.5]})"));
   EXPECT_EQ(ellipsoid.center, glm::dvec3(1, -4, 1.5));
   EXPECT_EQ(ellipsoid.radii, glm::dvec3(2, 4, 1));
-  EXPECT_EQ(rounded(ellipsoid.axes[1]), glm::dvec3(0, -1, 0));
+  EXPECT_EQ(rounded(ellipsoid.axes()[1]), glm::dvec3(0, -1, 0));
 }
 
 TEST_F(Transforms, SimilaritiesKeepKinds) {
@@ -68,9 +68,9 @@ TEST_F(Transforms, SimilaritiesKeepKinds) {
             glm::dvec3(0, -1, 0));
   EXPECT_EQ(std::get<Cylinder>(loaded(tube, turn)).radius, 3);
   EXPECT_NEAR(static_cast<double>(std::get<Cylinder>(loaded(tube, turn)).axis.length()), 6, 1e-14);
-  EXPECT_TRUE(std::holds_alternative<Parallelepiped>(loaded(box, turn)));
+  EXPECT_TRUE(std::holds_alternative<Shared<Parallelepiped>>(loaded(box, turn)));
   EXPECT_EQ(std::get<Box>(loaded(box, R"({"scale": [-1, 1, 2]})")).min, glm::dvec3(-1, 0, 0));
-  EXPECT_TRUE(std::holds_alternative<FramedQuadric>(loaded(tube, R"({"scale": [1, 2, 1]})")));
+  EXPECT_TRUE(std::holds_alternative<Shared<FramedQuadric>>(loaded(tube, R"({"scale": [1, 2, 1]})")));
 }
 
 TEST_F(Transforms, PlanesGoByTheirNormals) {
