@@ -8,13 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "intersect/prepared_scene.h"
+#include "intersect/hierarchy_builder.h"
 #include "surface/bounding_box.h"
 
 namespace pyrasim {
-
-struct BinaryNode;
-struct Hierarchy;
 
 class BoxHierarchy {
  public:

@@ -134,11 +134,11 @@ Hierarchy build_hierarchy(const std::vector<BoundingBox>& boxes, Course course) 
   return course == Course::along_x ? Builder<Course::along_x>(boxes).build() : Builder<Course::any>(boxes).build();
 }
 
-std::vector<const BinaryNode*> wide_children(const Hierarchy& hierarchy, const BinaryNode& node, std::size_t most) {
+std::vector<const BinaryNode*> wide_children(const Hierarchy& hierarchy, const BinaryNode& node) {
   const auto* const nodes = hierarchy.nodes.data();
   std::vector<const BinaryNode*> children{nodes + node.first, nodes + node.first + 1};
   const auto area = [&](const BinaryNode* child) { return seen_area(child->box, hierarchy.course); };
-  while (children.size() < most) {
+  while (children.size() < node_width) {
     const BinaryNode** largest = nullptr;
     for (const BinaryNode*& child : children) {
       if (child->count > 0) continue;

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "intersect/hierarchy_builder.h"
 #include "numeric/format_scope.h"
 #include "scene/scene.h"
 #include "surface/bounding_box.h"
@@ -16,9 +17,6 @@
 #include "surface/rounding_units.h"
 
 namespace pyrasim {
-
-/// Children of an inner node of the hierarchy at most.
-inline constexpr std::size_t node_width = 4;
 
 /// The boxes of a node's children side by side in slope space (slope_bounds.h), so that one visit tests all. The
 /// boxes of children that it does not have are inside out and never met.

@@ -43,6 +43,8 @@ struct JsonChoice {
   T value;
 };
 
+class JsonElements;
+
 /// A cursor: a node of a document, with its file and its JSON pointer. Cheap to copy. All reading functions throw
 /// InputError "FILE: /json/pointer: what is wrong; what is allowed".
 ///
@@ -54,8 +56,6 @@ struct JsonChoice {
 ///       intersection->allow_keys({"units", "order"});
 ///       settings.units = intersection->optional_integer("units", {1, 64});  // std::optional<std::int64_t>
 ///       ...
-class JsonElements;
-
 class JsonReader {
  public:
   /// A cursor at the root of `document`, which must outlive all cursors that come from it.

@@ -3,7 +3,6 @@
 
 import itertools
 import json
-import struct
 
 import tool
 from tool import INPUT, USAGE, SPHERE
@@ -121,8 +120,7 @@ class BadInput(tool.EndToEnd):
                 scene = self.write("lamp.json", {"camera": {"screen": screen}, "lights": lights,
                                                  "objects": [{**surface, "color": [1, 1, 1]}]})
                 self.ok("render", scene, "-o", "lamp.pfm")
-                samples = b"".join(tool.read_pfm(self.folder / "lamp.pfm")[2])
-                values = struct.unpack(f"<{len(samples) // 4}f", samples)
+                values = tool.pfm_values(self.folder / "lamp.pfm")
                 self.assertTrue(all(0 <= value <= 0.25 + 1e-6 for value in values), (surface, lamp, max(values)))
                 self.assertAlmostEqual(max(values), 0.25)
 
@@ -132,8 +130,7 @@ class BadInput(tool.EndToEnd):
             lamp = {"type": "point", "color": [1 / count] * 3, "position": [0, 5, 3], "shadow": False}
             scene = self.write("lamps.json", {**tool.scene(), "lights": [lamp] * count})
             self.ok("render", scene, "-o", "lamps.pfm")
-            samples = b"".join(tool.read_pfm(self.folder / "lamps.pfm")[2])
-            return struct.unpack(f"<{len(samples) // 4}f", samples)
+            return tool.pfm_values(self.folder / "lamps.pfm")
         one, many = lit(1), lit(100000)
         self.assertGreater(len(set(one)), 4)
         for a, b in zip(one, many):

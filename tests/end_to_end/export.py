@@ -246,9 +246,8 @@ class Comparison:
         picture = scene.with_suffix(".pfm")
         subprocess.run([tool.PYRASIM, "render", scene, "--method", "point", "--threads", "1", "--size",
                         f"{self.columns}x{self.rows}", "-o", picture], check=True, capture_output=True)
-        columns, rows, data = tool.read_pfm(picture)
-        assert (columns, rows) == (self.columns, self.rows)
-        return as_rows(struct.unpack(f"<{columns * rows * 3}f", b"".join(data)), columns)
+        assert tool.read_pfm(picture)[:2] == (self.columns, self.rows)
+        return as_rows(tool.pfm_values(picture), self.columns)
 
     def export(self, scene, *options):
         pov = scene.with_name(scene.stem + "".join(options) + ".pov")
