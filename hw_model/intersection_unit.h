@@ -27,7 +27,10 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   bool casts_no_shadows() const { return !casts_shadows_; }
   /// Of its rays, and of the shadow rays from what they saw.
   const Work& work() const { return work_; }
-  std::vector<StagePart> parts() const { return tester_parts(intersector_.contents(), work_, cost_); }
+  std::vector<StagePart> parts() const {
+    const SceneContents contents = intersector_.contents();
+    return tester_parts(contents.surfaces, contents.inner_nodes, work_, cost_);
+  }
   /// Of the arithmetic, where the constructor was told to count; costs a little.
   const ArithmeticEvents& events() const { return events_; }
   /// Takes corners that the host has traced before their time from there; none: traces all itself.

@@ -168,6 +168,7 @@ Cycle Processor::cycles() const {
 FrameStatistics Processor::statistics() const {
   FrameStatistics statistics = the<PyramidClassifier>().counts();
   statistics.rays_by_level = the<ViewVectorGenerator>().rays_by_level();
+  statistics.lights_with_shadows = contents_.lights_with_shadows;
   statistics.arithmetic.view_vectors = the<ViewVectorGenerator>().events();
   for (const auto& unit : all<IntersectionUnit>()) {
     statistics.work += unit->work();

@@ -23,7 +23,9 @@ class ShadowUnit final : public StageOf<ShadowUnit> {
 
   /// `work`: that of its rays, which the intersection unit before it counts.
   void account_for(const ShadowWork& work) { work_ = &work; }
-  std::vector<StagePart> parts() const { return tester_parts(contents_, work_->tests, test_cost_); }
+  std::vector<StagePart> parts() const {
+    return tester_parts(contents_.surfaces, contents_.shadow_inner_nodes, work_->tests, test_cost_);
+  }
 
  private:
   friend StageOf;

@@ -7,7 +7,7 @@ namespace pyrasim::hw {
 namespace {
 
 Need need_of_walker(std::size_t inner_nodes) {
-  if (inner_nodes == 0) return {false, "the scene has fewer than two bounded surfaces"};
+  if (inner_nodes == 0) return {false, "the hierarchy is one leaf"};
   return {true, fmt::format("the hierarchy has {} inner node{}", inner_nodes, inner_nodes == 1 ? "" : "s")};
 }
 
@@ -18,11 +18,11 @@ Need need_of_tester(std::size_t surfaces) {
 
 }  // namespace
 
-std::vector<StagePart> tester_parts(const SceneContents& contents, const Tests& tests, const IntersectionCost& cost) {
-  std::vector<StagePart> parts{
-      {"hierarchy_walker", need_of_walker(contents.inner_nodes), cost.box_test * tests.box_tests}};
+std::vector<StagePart> tester_parts(const std::array<std::size_t, surface_kinds>& surfaces, std::size_t inner_nodes,
+                                    const Tests& tests, const IntersectionCost& cost) {
+  std::vector<StagePart> parts{{"hierarchy_walker", need_of_walker(inner_nodes), cost.box_test * tests.box_tests}};
   for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
-    parts.push_back({fmt::format("{}_tester", surface_traits[kind].name), need_of_tester(contents.surfaces[kind]),
+    parts.push_back({fmt::format("{}_tester", surface_traits[kind].name), need_of_tester(surfaces[kind]),
                      cost.surface_test[kind] * tests.surface_tests[kind]});
   }
   return parts;

@@ -17,8 +17,9 @@ struct StagePart {
   Cycle busy = 0;  ///< of the stage's busy cycles those that it took
 };
 
-/// For a scene of `contents`, of a unit that made `tests` at `cost`. What is left of the unit's busy cycles is what
-/// each ray costs beside.
-std::vector<StagePart> tester_parts(const SceneContents& contents, const Tests& tests, const IntersectionCost& cost);
+/// Of a unit that made `tests` at `cost`, for so many surfaces of each kind and inner nodes of a hierarchy. What is
+/// left of the unit's busy cycles is what each ray costs beside.
+std::vector<StagePart> tester_parts(const std::array<std::size_t, surface_kinds>& surfaces, std::size_t inner_nodes,
+                                    const Tests& tests, const IntersectionCost& cost);
 
 }  // namespace pyrasim::hw

@@ -12,9 +12,9 @@ std::string ray_lines(const FrameStatistics& frame) {
   std::string text = fmt::format("rays          {:>12}   primary {} + subdivision {}\n", grouped(frame.total_rays()),
                                  grouped(frame.primary_rays()), grouped(frame.subdivision_rays_traced()));
   const ShadowWork& shadow = frame.work.shadow;
-  if (shadow.lights == 0) return text;
-  text += fmt::format("shadow rays   {:>12}   to {} light{}\n", grouped(shadow.total_rays()), shadow.lights,
-                      shadow.lights == 1 ? "" : "s");
+  if (frame.lights_with_shadows == 0) return text;
+  text += fmt::format("shadow rays   {:>12}   to {} light{}\n", grouped(shadow.total_rays()), frame.lights_with_shadows,
+                      frame.lights_with_shadows == 1 ? "" : "s");
   return text;
 }
 

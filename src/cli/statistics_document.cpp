@@ -33,9 +33,10 @@ ordered_json tests_document(const Tests& tests) {
 }
 
 /// By light: of those with shadows.
-ordered_json shadow_rays_document(const ShadowWork& work) {
+ordered_json shadow_rays_document(const FrameStatistics& statistics) {
+  const ShadowWork& work = statistics.work.shadow;
   ordered_json by_light = ordered_json::array();
-  for (std::size_t light = 0; light < work.lights; ++light) by_light.push_back(work.rays[light]);
+  for (std::size_t light = 0; light < statistics.lights_with_shadows; ++light) by_light.push_back(work.rays[light]);
   return {{"total", work.total_rays()}, {"by_light", by_light}};
 }
 
@@ -56,7 +57,7 @@ void add_counts(ordered_json& document, const FrameStatistics& statistics, int m
                       {"subdivision", statistics.subdivision_rays_traced()},
                       {"total", statistics.total_rays()},
                       {"by_level", rays_by_level},
-                      {"shadow", shadow_rays_document(statistics.work.shadow)}};
+                      {"shadow", shadow_rays_document(statistics)}};
   document["cases"] = {{"by_level", cases_by_level}};
   document["subdivisions"] = statistics.subdivisions;
   document["terminal_nodes"] = statistics.terminal_nodes;

@@ -35,7 +35,7 @@ std::int32_t BoxHierarchy::add(const Hierarchy& hierarchy, const BinaryNode& nod
   }
   const auto index = nodes_.size();
   nodes_.emplace_back();
-  std::vector<const BinaryNode*> children = wide_children(hierarchy, node, node_width);
+  std::vector<const BinaryNode*> children = wide_children(hierarchy, node);
   std::stable_sort(children.begin(), children.end(), [](const BinaryNode* a, const BinaryNode* b) {
     return a->box.half_surface() > b->box.half_surface();
   });

@@ -49,10 +49,11 @@ class BoxHierarchy {
   /// The t at which the ray enters a box as such a comparison has it: no box that holds it is entered later.
   static double entered(const BoundingBox& box, const Query& query);
 
-  const Node* nodes() const { return nodes_.data(); }
-  std::size_t node_count() const { return nodes_.size(); }
+  const std::vector<Node>& nodes() const { return nodes_; }
   std::int32_t root() const { return root_; }  ///< as Node::child
-  const Leaf& leaf(std::int32_t reference) const { return leaves_[static_cast<std::size_t>(~reference)]; }
+  const Leaf& leaf(std::int32_t reference) const {
+    return leaves_[static_cast<std::size_t>(~static_cast<std::int64_t>(reference))];
+  }
   /// The boxes' numbers, in the order of leaves.
   const std::vector<std::uint32_t>& items() const { return items_; }
 

@@ -93,7 +93,7 @@ class GeneralScene {
       }
     };
     const BoxHierarchy& hierarchy = boxes_.hierarchy();
-    traverse(hierarchy.nodes(), hierarchy.root(), sought, test_leaf, work);
+    traverse(hierarchy.nodes().data(), hierarchy.root(), sought, test_leaf, work);
   }
 
   template <class Sought>

@@ -72,17 +72,21 @@ class Builder {
 
   Split best_split(const BoundingBox& box, const BoundingBox& center_box, std::uint32_t first,
                    std::uint32_t count) const {
-    Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(center_box.upper[axis] > center_box.lower[axis])) continue;
-      std::array<Bin, bins> bin;
-      for (std::uint32_t k = first; k < first + count; ++k) {
-        const std::uint32_t reference = hierarchy_.references[k];
-        Bin& target = bin[static_cast<std::size_t>(bin_of(centers_[reference][axis], center_box, axis))];
+    std::array<std::array<Bin, bins>, 3> bin_along;
+    const auto splits = [&](int axis) { return center_box.upper[axis] > center_box.lower[axis]; };
+    for (std::uint32_t k = first; k < first + count; ++k) {
+      const std::uint32_t reference = hierarchy_.references[k];
+      for (int axis = 0; axis < 3; ++axis) {
+        if (!splits(axis)) continue;
+        const int its_bin = bin_of(centers_[reference][axis], center_box, axis);
+        Bin& target = bin_along[static_cast<std::size_t>(axis)][static_cast<std::size_t>(its_bin)];
         target.box.include(boxes_[reference]);
         ++target.count;
       }
-      sweep(bin, axis, seen_area(box, course), best);
+    }
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (splits(axis)) sweep(bin_along[static_cast<std::size_t>(axis)], axis, seen_area(box, course), best);
     }
     return best;
   }
@@ -90,19 +94,24 @@ class Builder {
   static void sweep(const std::array<Bin, bins>& bin, int axis, double area, Split& best) {
     std::array<double, bins> right_cost{};
     Bin right;
-    for (int k = bins - 1; k > 0; --k) {
-      right.box.include(bin[static_cast<std::size_t>(k)].box);
-      right.count += bin[static_cast<std::size_t>(k)].count;
-      right_cost[static_cast<std::size_t>(k)] = right.count == 0 ? -1 : seen_area(right.box, course) * right.count;
+    double cost_of_right = -1;
+    for (std::size_t k = bins - 1; k > 0; --k) {
+      if (bin[k].count > 0) {
+        right.box.include(bin[k].box);
+        right.count += bin[k].count;
+        cost_of_right = seen_area(right.box, course) * right.count;
+      }
+      right_cost[k] = cost_of_right;
     }
     Bin left;
-    for (int k = 1; k < bins; ++k) {
-      left.box.include(bin[static_cast<std::size_t>(k - 1)].box);
-      left.count += bin[static_cast<std::size_t>(k - 1)].count;
-      if (left.count == 0 || right_cost[static_cast<std::size_t>(k)] < 0) continue;
-      const double sides = seen_area(left.box, course) * left.count + right_cost[static_cast<std::size_t>(k)];
+    for (std::size_t k = 1; k < bins; ++k) {
+      if (bin[k - 1].count == 0) continue;  // nothing on the left yet, or the same split as before
+      if (right_cost[k] < 0) break;
+      left.box.include(bin[k - 1].box);
+      left.count += bin[k - 1].count;
+      const double sides = seen_area(left.box, course) * left.count + right_cost[k];
       const double cost = node_cost + (area > 0 ? sides / area : 0);
-      if (cost < best.cost) best = {cost, axis, k};
+      if (cost < best.cost) best = {cost, axis, static_cast<int>(k)};
     }
   }
 
@@ -125,11 +134,11 @@ Hierarchy build_hierarchy(const std::vector<BoundingBox>& boxes, Course course) 
   return course == Course::along_x ? Builder<Course::along_x>(boxes).build() : Builder<Course::any>(boxes).build();
 }
 
-std::vector<const BinaryNode*> wide_children(const Hierarchy& hierarchy, const BinaryNode& node, std::size_t most) {
+std::vector<const BinaryNode*> wide_children(const Hierarchy& hierarchy, const BinaryNode& node) {
   const auto* const nodes = hierarchy.nodes.data();
   std::vector<const BinaryNode*> children{nodes + node.first, nodes + node.first + 1};
   const auto area = [&](const BinaryNode* child) { return seen_area(child->box, hierarchy.course); };
-  while (children.size() < most) {
+  while (children.size() < node_width) {
     const BinaryNode** largest = nullptr;
     for (const BinaryNode*& child : children) {
       if (child->count > 0) continue;

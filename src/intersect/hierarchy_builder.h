@@ -11,9 +11,6 @@
 
 namespace pyrasim {
 
-/// Children at most of an inner node of the wide hierarchies that are made of binary ones.
-inline constexpr std::size_t node_width = 4;
-
 /// A node of the hierarchy: a leaf holds the references `first` to `first + count - 1` of Hierarchy::references; an
 /// inner node (count = 0) has the children `first` and `first + 1` of Hierarchy::nodes.
 struct BinaryNode {
@@ -42,8 +39,11 @@ inline constexpr int max_hierarchy_depth = 96;
 /// `boxes`: one for each bounded surface.
 Hierarchy build_hierarchy(const std::vector<BoundingBox>& boxes, Course course);
 
-/// The children of a node of up to `most`: those of the binary inner node `node`, the largest inner one replaced by its
-/// own while there is room.
-std::vector<const BinaryNode*> wide_children(const Hierarchy& hierarchy, const BinaryNode& node, std::size_t most);
+/// Children of a wide node at most.
+inline constexpr std::size_t node_width = 4;
+
+/// The children of a wide node: those of the binary inner node `node`, the largest inner one replaced by its own while
+/// there is room.
+std::vector<const BinaryNode*> wide_children(const Hierarchy& hierarchy, const BinaryNode& node);
 
 }  // namespace pyrasim

@@ -39,7 +39,6 @@ typename Illumination<Scalar>::Place Illumination<Scalar>::place_of(const Vector
 template <class Scalar>
 Sample Illumination<Scalar>::sample(const Vector<Scalar>& direction, const Hit<Scalar>& hit, ShadowWork& work) const {
   const Place place = place_of(direction, hit);
-  work.lights = lights_.with_shadows();
   glm::dvec3 light = lights_.ambient();
   auto reached = static_cast<std::uint32_t>((std::uint64_t{1} << lights_.with_shadows()) - 1);
   lights_.for_each_at(place.position, [&](const Incidence& incidence, const std::optional<std::size_t>& shadow) {

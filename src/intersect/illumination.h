@@ -25,6 +25,8 @@ class Illumination {
   Illumination(const Scene& description, const PreparedScene<double>& prepared, const PreparedScene<Scalar>& scene);
 
   std::size_t lights_with_shadows() const { return lights_.with_shadows(); }
+  /// Of the shadow rays' hierarchy.
+  std::size_t inner_nodes() const { return shadow_rays_ ? shadow_rays_->inner_nodes() : 0; }
 
   /// The sample of a ray along `direction` that met `hit`; adds the shadow rays to `work`.
   Sample sample(const Vector<Scalar>& direction, const Hit<Scalar>& hit, ShadowWork& work) const;

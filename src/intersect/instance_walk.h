@@ -44,7 +44,7 @@ void walk_instance(const PreparedScene<Scalar>& scene, const InstanceSurface<Sca
       if (t > Scalar(0)) sought.meet(place, t);
     }
   };
-  traverse(hierarchy.nodes(), hierarchy.root(), query, test_leaf, tests);
+  traverse(hierarchy.nodes().data(), hierarchy.root(), query, test_leaf, tests);
 }
 
 /// Enters what a view ray meets of instances into its standing.

@@ -18,6 +18,7 @@ namespace pyrasim {
 struct SceneContents {
   std::array<std::size_t, surface_kinds> surfaces{};  ///< by SurfaceKind
   std::size_t inner_nodes = 0;                        ///< of the bounding volume hierarchy
+  std::size_t shadow_inner_nodes = 0;                 ///< of the one for shadow rays
   std::size_t lights_with_shadows = 0;
 };
 

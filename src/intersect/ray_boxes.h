@@ -39,7 +39,7 @@ class RayBoxes {
   /// What a leaf of the hierarchy holds.
   std::span<const Item> leaf(std::int32_t reference) const {
     const auto [first, count] = hierarchy_.leaf(reference);
-    return {&items_[first], count};
+    return std::span(items_).subspan(first, count);
   }
 
  private:

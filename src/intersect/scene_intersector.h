@@ -23,9 +23,12 @@ class SceneIntersector final : public Intersector {
     contents.inner_nodes = scene_.nodes.size();
     for (const SharedMesh<Scalar>& mesh : scene_.meshes) {
       contents.surfaces[index_of_kind<TriangleSurface>] += mesh.triangles.size();
-      contents.inner_nodes += mesh.hierarchy->node_count();
+      contents.inner_nodes += mesh.hierarchy->nodes().size();
     }
-    contents.lights_with_shadows = illumination_ ? illumination_->lights_with_shadows() : 0;
+    if (illumination_) {
+      contents.lights_with_shadows = illumination_->lights_with_shadows();
+      contents.shadow_inner_nodes = illumination_->inner_nodes();
+    }
     return contents;
   }
   const PreparedScene<Scalar>& scene() const { return scene_; }

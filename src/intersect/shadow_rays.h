@@ -37,6 +37,8 @@ class ShadowRays {
   bool blocked(const Hit<Scalar>& hit, const glm::dvec3& position, const glm::dvec3& normal, const Incidence& incidence,
                Tests& tests) const;
 
+  std::size_t inner_nodes() const { return boxes_.hierarchy().nodes().size(); }
+
  private:
   const PreparedScene<Scalar>& scene_;
   RayBoxes boxes_;

@@ -10,8 +10,7 @@
 
 namespace pyrasim {
 
-/// A mesh in its own coordinates, once for all of its instances (decision: a ray goes to the mesh, not the mesh to the
-/// ray).
+/// A mesh in its own coordinates, once for all of its instances: a ray goes to the mesh, not the mesh to the ray.
 template <class Scalar>
 struct SharedMesh {
   std::vector<TriangleSurface<Scalar>> triangles;  ///< in the order of leaves; identity.order is that of the file

@@ -92,7 +92,7 @@ class Widening {
     if (node.count > 0) return convert_leaf(node);
     const std::size_t index = scene_.nodes.size();
     scene_.nodes.emplace_back();
-    const std::vector<const BinaryNode*> sources = wide_children(hierarchy_, node, node_width);
+    const std::vector<const BinaryNode*> sources = wide_children(hierarchy_, node);
     std::array<Converted, node_width> children;
     BoundingBox bounds;
     for (std::size_t k = 0; k < sources.size(); ++k) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <numeric>
@@ -26,13 +25,11 @@ struct Tests {
 
 /// Rays from the places that are seen to the lights.
 struct ShadowWork {
-  std::uint64_t lights = 0;                             ///< that have shadows
   std::array<std::uint64_t, max_shadow_lights> rays{};  ///< by light, in the order of those with shadows
   Tests tests;
 
   std::uint64_t total_rays() const { return std::accumulate(rays.begin(), rays.end(), std::uint64_t{0}); }
   ShadowWork& operator+=(const ShadowWork& other) {
-    lights = std::max(lights, other.lights);
     for (std::size_t light = 0; light < rays.size(); ++light) rays[light] += other.rays[light];
     tests += other.tests;
     return *this;

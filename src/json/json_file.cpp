@@ -93,8 +93,10 @@ class DocumentBuilder final : public nlohmann::json_sax<json> {
 
   bool key(string_t& name) override {
     Level& level = levels_.back();
+    const auto [member, fresh] = level.container->emplace(name, nullptr);
     level.key = std::move(name);
-    if (level.container->contains(level.key)) {
+    level.member = &*member;
+    if (!fresh) {
       throw InputError(json_message(file_, pointer(), "the key appears twice", "a key is allowed once in its object"));
     }
     return true;
@@ -118,7 +120,8 @@ class DocumentBuilder final : public nlohmann::json_sax<json> {
  private:
   struct Level {
     json* container;
-    std::string key;  ///< of the member that is being read, in an object
+    std::string key{};       ///< of the member that is being read, in an object
+    json* member = nullptr;  ///< likewise
   };
 
   /// The JSON pointer of the value that comes next.
@@ -139,7 +142,7 @@ class DocumentBuilder final : public nlohmann::json_sax<json> {
       container.push_back(std::move(value));
       return &container.back();
     }
-    return &(container[levels_.back().key] = std::move(value));
+    return &(*levels_.back().member = std::move(value));
   }
 
   bool add(json value) {
@@ -152,11 +155,13 @@ class DocumentBuilder final : public nlohmann::json_sax<json> {
       throw InputError(json_message(file_, "", "arrays and objects are nested too deeply",
                                     fmt::format("at most {} levels are allowed", max_json_depth)));
     }
-    levels_.push_back({store(std::move(container)), {}});
+    levels_.push_back({.container = store(std::move(container))});
     return true;
   }
 
   bool close() {
+    json& container = *levels_.back().container;
+    if (container.is_array()) container.get_ref<json::array_t&>().shrink_to_fit();  // there may be millions
     levels_.pop_back();
     return true;
   }

@@ -71,17 +71,21 @@ std::string IntegerRange::text() const {
 }
 
 JsonReader::JsonReader(std::string file, const nlohmann::json& document)
-    : JsonReader(std::move(file), std::string(), &document) {}
-
-JsonReader::JsonReader(std::string file, std::string pointer, const nlohmann::json* node)
-    : file_(std::move(file)), pointer_(std::move(pointer)), node_(node) {}
+    : file_(std::make_shared<const std::string>(std::move(file))), node_(&document) {}
 
 JsonReader JsonReader::child(std::string_view key, const nlohmann::json& node) const {
-  return {file_, json_pointer_child(pointer_, key), &node};
+  JsonReader result = *this;
+  result.pointer_ = json_pointer_child(pointer_, key);
+  result.node_ = &node;
+  return result;
 }
 
+JsonReader JsonReader::element(std::size_t index) const { return child(std::to_string(index), (*node_)[index]); }
+
+std::size_t JsonElements::size() const { return array_.node_->size(); }
+
 void JsonReader::fail(std::string_view wrong, std::string_view allowed) const {
-  throw InputError(json_message(file_, pointer_, wrong, allowed));
+  throw InputError(json_message(*file_, pointer_, wrong, allowed));
 }
 
 void JsonReader::fail_kind(std::string_view allowed) const {
@@ -125,7 +129,7 @@ std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
   return result;
 }
 
-std::vector<JsonReader> JsonReader::elements(std::size_t min, std::size_t max) const {
+JsonElements JsonReader::elements(std::size_t min, std::size_t max) const {
   const bool bounded = max < std::numeric_limits<std::size_t>::max();
   std::string allowed = "an array";
   if (min == max) {
@@ -139,10 +143,7 @@ std::vector<JsonReader> JsonReader::elements(std::size_t min, std::size_t max) c
   if (node_->size() < min || node_->size() > max) {
     fail(fmt::format("it has {} elements", node_->size()), allowed + " is allowed");
   }
-  std::vector<JsonReader> result;
-  result.reserve(node_->size());
-  for (std::size_t i = 0; i < node_->size(); ++i) result.push_back(child(std::to_string(i), (*node_)[i]));
-  return result;
+  return JsonElements(*this);
 }
 
 bool JsonReader::is_array() const { return node_->is_array(); }
@@ -179,20 +180,24 @@ glm::dvec3 JsonReader::vec3(const NumberRange& range) const {
   if (node_->size() != 3) fail(fmt::format("it has {} elements", node_->size()), "an array of 3 numbers is allowed");
   glm::dvec3 result;
   for (int i = 0; i < 3; ++i) {
-    result[i] = child(std::to_string(i), (*node_)[static_cast<std::size_t>(i)]).number(range);
+    const json& component = (*node_)[static_cast<std::size_t>(i)];
+    const bool good = component.is_number() && range.contains(component.get<double>());
+    result[i] = good ? component.get<double>() : element(static_cast<std::size_t>(i)).number(range);  // or says why not
   }
   return result;
 }
 
 std::ptrdiff_t JsonReader::choice_index(const std::vector<std::string_view>& names) const {
-  std::vector<std::string> shown;
-  shown.reserve(names.size());
-  for (const std::string_view name : names) shown.push_back(in_quotes(name));
-  const std::string allowed = fmt::format("one of {}", fmt::join(shown, ", "));
-  if (!node_->is_string()) fail_kind(allowed);
+  const auto allowed = [&] {
+    std::vector<std::string> shown;
+    shown.reserve(names.size());
+    for (const std::string_view name : names) shown.push_back(in_quotes(name));
+    return fmt::format("one of {}", fmt::join(shown, ", "));
+  };
+  if (!node_->is_string()) fail_kind(allowed());
   const auto& value = node_->get_ref<const std::string&>();
   const auto found = std::find(names.begin(), names.end(), value);
-  if (found == names.end()) fail(in_quotes(value) + " is unknown", allowed + " is allowed");
+  if (found == names.end()) fail(in_quotes(value) + " is unknown", allowed() + " is allowed");
   return found - names.begin();
 }
 

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <initializer_list>
 #include <limits>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -42,6 +43,8 @@ struct JsonChoice {
   T value;
 };
 
+class JsonElements;
+
 /// A cursor: a node of a document, with its file and its JSON pointer. Cheap to copy. All reading functions throw
 /// InputError "FILE: /json/pointer: what is wrong; what is allowed".
 ///
@@ -59,7 +62,7 @@ class JsonReader {
   JsonReader(std::string file, const nlohmann::json& document);
   JsonReader(std::string file, nlohmann::json&& document) = delete;
 
-  const std::string& file() const { return file_; }
+  const std::string& file() const { return *file_; }
   const std::string& pointer() const { return pointer_; }
 
   /// Throws the InputError of this node, for checks that this class does not know.
@@ -77,8 +80,7 @@ class JsonReader {
   std::vector<std::pair<std::string, JsonReader>> members() const;
 
   /// The elements of an array, whose number must be from `min` to `max`.
-  std::vector<JsonReader> elements(std::size_t min = 0,
-                                   std::size_t max = std::numeric_limits<std::size_t>::max()) const;
+  JsonElements elements(std::size_t min = 0, std::size_t max = std::numeric_limits<std::size_t>::max()) const;
 
   bool is_array() const;
 
@@ -110,16 +112,48 @@ class JsonReader {
   }
 
  private:
-  JsonReader(std::string file, std::string pointer, const nlohmann::json* node);
+  friend class JsonElements;
+
   JsonReader child(std::string_view key, const nlohmann::json& node) const;
+  /// Of an array.
+  JsonReader element(std::size_t index) const;
   void require_object() const;
   std::ptrdiff_t choice_index(const std::vector<std::string_view>& names) const;
   /// Fails because the node is of another kind: "it is a string; a number from 0 to 1 is allowed".
   [[noreturn]] void fail_kind(std::string_view allowed) const;
 
-  std::string file_;
+  std::shared_ptr<const std::string> file_;
   std::string pointer_;
   const nlohmann::json* node_;
+};
+
+/// The elements of an array; each is read when it is asked for.
+class JsonElements {
+ public:
+  class Iterator {
+   public:
+    Iterator(const JsonReader& array, std::size_t index) : array_(&array), index_(index) {}
+    JsonReader operator*() const { return array_->element(index_); }
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    friend bool operator==(const Iterator&, const Iterator&) = default;
+
+   private:
+    const JsonReader* array_;
+    std::size_t index_;
+  };
+
+  explicit JsonElements(JsonReader array) : array_(std::move(array)) {}
+
+  std::size_t size() const;
+  JsonReader operator[](std::size_t index) const { return array_.element(index); }
+  Iterator begin() const { return {array_, 0}; }
+  Iterator end() const { return {array_, size()}; }
+
+ private:
+  JsonReader array_;
 };
 
 }  // namespace pyrasim

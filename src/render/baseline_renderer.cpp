@@ -111,6 +111,7 @@ Rendering render_baseline(const Scene& scene, const AnyIntersector& intersector,
   rendering.statistics.rays_by_level[0] =
       static_cast<std::uint64_t>(window.rows) * static_cast<std::uint64_t>(window.columns) *
       static_cast<std::uint64_t>(options.grid) * static_cast<std::uint64_t>(options.grid);
+  rendering.statistics.lights_with_shadows = intersector.contents().lights_with_shadows;
   rendering.statistics.work = frame.work;
   rendering.statistics.arithmetic = frame.arithmetic;
   return rendering;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -21,6 +22,7 @@ struct FrameStatistics {
   /// points on the sides between pixels traced before for the neighbour.
   std::uint64_t repeated_in_pixel = 0;
   std::uint64_t repeated_between_pixels = 0;
+  std::uint64_t lights_with_shadows = 0;  ///< of the scene, whatever of it the frame sees
   Work work;
   DatapathEvents arithmetic;  ///< of software number formats; double and float count nothing
 
@@ -43,6 +45,7 @@ struct FrameStatistics {
     terminal_nodes += other.terminal_nodes;
     repeated_in_pixel += other.repeated_in_pixel;
     repeated_between_pixels += other.repeated_between_pixels;
+    lights_with_shadows = std::max(lights_with_shadows, other.lights_with_shadows);  // parts show one scene
     work += other.work;
     arithmetic += other.arithmetic;
     return *this;

@@ -226,6 +226,7 @@ Rendering render_pyramids(const Scene& scene, const AnyIntersector& intersector,
       .seams = std::vector<Seam>(static_cast<std::size_t>(bands) + 1),
       .totals = {},
       .statistics = {}};
+  frame.statistics.lights_with_shadows = intersector.contents().lights_with_shadows;
   run_tasks<BandWorker<AnyIntersector>>(bands, thread_count(options.threads), progress, frame);
   return {std::move(frame.image), frame.statistics};
 }

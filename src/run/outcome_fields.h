@@ -35,7 +35,6 @@ void for_each_field(Self& its, const auto& visit) {
 
 template <MaybeConst<ShadowWork> Self>
 void for_each_field(Self& its, const auto& visit) {
-  visit("lights", its.lights);
   visit("rays", its.rays);
   visit("tests", its.tests);
 }
@@ -54,6 +53,7 @@ void for_each_field(Self& its, const auto& visit) {
   visit("terminal_nodes", its.terminal_nodes);
   visit("repeated_in_pixel", its.repeated_in_pixel);
   visit("repeated_between_pixels", its.repeated_between_pixels);
+  visit("lights_with_shadows", its.lights_with_shadows);
   visit("work", its.work);
   visit("arithmetic", its.arithmetic);
 }

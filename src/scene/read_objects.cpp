@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -17,6 +18,9 @@ namespace pyrasim {
 namespace {
 
 using Keys = std::vector<std::string_view>;
+
+/// Of a shape, beside those of its surface or instance.
+Keys shape_keys() { return {"type", "transform"}; }
 
 std::string in_quotes(const std::string& name) { return '"' + excerpt(name) + '"'; }
 
@@ -58,8 +62,13 @@ class Shapes {
   /// A surface of any type, or an instance, with its own keys beside `keys`.
   Shape read(const JsonReader& reader, const Keys& keys) {
     const Read chosen = reader_of(reader.member("type"), std::type_identity<WrittenSurface>());
-    Shape shape = chosen == nullptr ? read_instance(reader, keys)
-                                    : Shape{std::make_shared<const SceneSurface>(chosen(reader, reading_, keys)), {}};
+    Shape shape;
+    if (chosen == nullptr) {
+      const JsonReader of = read_instance(reader, keys);
+      shape = named(of.string(), of);
+    } else {
+      shape.surface = std::make_shared<const SceneSurface>(chosen(reader, reading_, keys));
+    }
     if (const auto transform = reader.find("transform")) {
       const AffineMap outer = read_transform(*transform);
       shape.map = mapped_at(*transform, [&] { return shape.map ? outer.after(*shape.map) : outer; });
@@ -89,42 +98,67 @@ class Shapes {
                               {"instance", nullptr}});
   }
 
-  Shape read_instance(const JsonReader& reader, Keys keys) {
+  static bool is_instance(const JsonReader& shape) {
+    return reader_of(shape.member("type"), std::type_identity<WrittenSurface>()) == nullptr;
+  }
+
+  /// Where an instance says what it is of: the name of one of the shapes.
+  JsonReader read_instance(const JsonReader& reader, Keys keys) const {
     keys.emplace_back("of");
     reader.allow_keys(keys);
-    const JsonReader of = reader.member("of");
-    const auto found = written_.find(of.string());
-    if (found == written_.end()) {
+    JsonReader of = reader.member("of");
+    if (!written_.contains(of.string())) {
       of.fail(fmt::format("there is no shape {}", in_quotes(of.string())), "the name of one of \"shapes\" is allowed");
     }
-    return named(found->first, of);
+    return of;
   }
 
   /// `asked`: where its name is.
-  Shape named(const std::string& name, const JsonReader& asked) {
-    if (const auto known = shapes_.find(name); known != shapes_.end()) return known->second;
-    const auto first = std::find(open_.begin(), open_.end(), name);
-    if (first != open_.end()) {
-      std::string circle;
-      for (auto inner = first; inner != open_.end(); ++inner) circle += in_quotes(*inner) + " of ";
-      asked.fail(fmt::format("a shape is made of itself: {}{}", circle, in_quotes(name)),
-                 "instances that end at a surface are allowed");
+  const Shape& named(const std::string& name, const JsonReader& asked) {
+    for (const std::string& unread : unread_before(name, asked)) {
+      shapes_.emplace(unread, shareable(read(written_.at(unread), shape_keys())));
     }
-    open_.push_back(name);
-    Shape shape = read(written_.at(name), {"type", "transform"});
+    return shapes_.at(name);
+  }
+
+  /// A mesh that has a name is there once, for all of its instances.
+  static Shape shareable(Shape shape) {
     if (const auto* mesh = std::get_if<Mesh>(shape.surface.get())) {
       shape.surface =
           std::make_shared<const SceneSurface>(MeshInstance{std::make_shared<const InstancedMesh>(*mesh), {}});
     }
-    open_.pop_back();
-    shapes_.emplace(name, shape);
     return shape;
+  }
+
+  /// The chain of instances that has to be read for a shape, the innermost first; instances may be nested deeper than
+  /// calls.
+  std::vector<std::string> unread_before(std::string name, JsonReader asked) const {
+    std::vector<std::string> chain;
+    std::set<std::string> met;
+    while (!shapes_.contains(name)) {
+      if (!met.insert(name).second) fail_circle(chain, name, asked);
+      chain.push_back(name);
+      if (!is_instance(written_.at(name))) break;
+      asked = read_instance(written_.at(name), shape_keys());
+      name = asked.string();
+    }
+    std::reverse(chain.begin(), chain.end());
+    return chain;
+  }
+
+  [[noreturn]] static void fail_circle(const std::vector<std::string>& chain, const std::string& name,
+                                       const JsonReader& asked) {
+    std::string circle;
+    for (auto inner = std::find(chain.begin(), chain.end(), name); inner != chain.end(); ++inner) {
+      circle += in_quotes(*inner) + " of ";
+    }
+    asked.fail(fmt::format("a shape is made of itself: {}{}", circle, in_quotes(name)),
+               "instances that end at a surface are allowed");
   }
 
   const SceneReading& reading_;
   std::map<std::string, JsonReader> written_;
   std::map<std::string, Shape> shapes_;
-  std::vector<std::string> open_;  ///< those that are being read, the outermost first
 };
 
 }  // namespace
@@ -133,8 +167,11 @@ std::vector<Object> read_objects(const JsonReader& scene, const SceneReading& re
   Shapes shapes(scene, reading);
   SurfaceNumbers numbers;
   std::vector<Object> objects;
-  for (const JsonReader& reader : scene.member("objects").elements()) {
-    const Shape shape = shapes.read(reader, {"name", "type", "color", "shadow", "transform"});
+  const Keys keys{"name", "type", "color", "shadow", "transform"};
+  const JsonElements elements = scene.member("objects").elements();
+  objects.reserve(elements.size());
+  for (const JsonReader& reader : elements) {
+    const Shape shape = shapes.read(reader, keys);
     objects.push_back({reader.optional_string("name").value_or(""), reader.member("color").vec3(color_components),
                        Shapes::place(shape, reader), reader.optional_boolean("shadow").value_or(true)});
     numbers.count(objects.back().surface, reader);

@@ -41,6 +41,17 @@ double largest_ratio(const QuadrupleMatrix& matrix) {
   return least > 0 ? static_cast<double>(1 / least) : 0;
 }
 
+/// Whatever is stretched or shrunk by more has no length left that a scene may have.
+constexpr double most_stretch = max_coordinate / min_length;
+
+void check_stretch(const QuadrupleMatrix& matrix) {
+  double most = 0;
+  for (const QuadrupleVector& row : matrix) most = std::max(most, largest(rounded(row)));
+  if (most >= 1 / most_stretch && most <= most_stretch) return;
+  throw MapError(fmt::format("it makes lengths {:.3g} times as long", most),
+                 fmt::format("factors from {:.3g} to {:.3g} are allowed", 1 / most_stretch, most_stretch));
+}
+
 /// By cross products of rows.
 QuadrupleMatrix inverse_of(const QuadrupleMatrix& m) {
   QuadrupleMatrix columns{cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
@@ -80,11 +91,13 @@ Turn turn_by(double degrees) {
 
 AffineMap::AffineMap(const QuadrupleMatrix& matrix, const QuadrupleVector& offset)
     : matrix_(matrix), inverse_(inverse_of(matrix)), offset_(offset), unevenness_(largest_ratio(matrix)) {
-  if (unevenness_ > 0 && unevenness_ <= max_unevenness) return;
-  const std::string wrong = unevenness_ > 0
-                                ? fmt::format("it stretches one direction {:.3g} times as much as another", unevenness_)
-                                : "it is singular, or nearly: it flattens space";
-  throw MapError(wrong, fmt::format("ratios of at most {} between directions are allowed", max_unevenness));
+  if (!(unevenness_ > 0 && unevenness_ <= max_unevenness)) {
+    throw MapError(unevenness_ > 0
+                       ? fmt::format("it stretches one direction {:.3g} times as much as another", unevenness_)
+                       : "it is singular, or nearly: it flattens space",
+                   fmt::format("ratios of at most {} between directions are allowed", max_unevenness));
+  }
+  check_stretch(matrix);
 }
 
 AffineMap AffineMap::translation(const glm::dvec3& by) {

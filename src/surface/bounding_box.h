@@ -31,7 +31,7 @@ struct BoundingBox {
   glm::dvec3 center() const { return lower * 0.5 + upper * 0.5; }
   /// The area that a ray along x sees; 0 for an empty box.
   double frontal_area() const { return lower.x <= upper.x ? (upper.y - lower.y) * (upper.z - lower.z) : 0; }
-  /// Half of its surface, to which rays from anywhere see of a box in proportion; 0 for an empty box.
+  /// Half of its surface: what rays from anywhere see of it on average is in proportion; 0 for an empty box.
   double half_surface() const {
     if (!(lower.x <= upper.x)) return 0;
     const glm::dvec3 sides = upper - lower;

@@ -18,14 +18,15 @@ struct Radii {
 
 /// Those of what `map` makes of it: the mapped ones as they are, where they stay at right angles.
 Radii principal_radii(const Ellipsoid& ellipsoid, const AffineMap& map) {
-  Radii found{ellipsoid.axes, {}};
+  const QuadrupleMatrix axes = ellipsoid.axes();
+  Radii found{axes, {}};
   QuadrupleMatrix normals{};
   for (std::size_t k = 0; k < 3; ++k) {
     const double radius = ellipsoid.radii[static_cast<int>(k)];
-    const QuadrupleVector mapped = map.direction(ellipsoid.axes[k]);
+    const QuadrupleVector mapped = map.direction(axes[k]);
     found.axes[k] = unit(mapped);
     found.lengths[k] = radius * length(mapped);
-    normals[k] = map.normal(ellipsoid.axes[k]);
+    normals[k] = map.normal(axes[k]);
     for (Quadruple& x : normals[k]) x /= radius;
   }
   const auto askew = [&](std::size_t i, std::size_t j) { return magnitude(dot(found.axes[i], found.axes[j])); };
@@ -51,7 +52,8 @@ Ellipsoid Ellipsoid::read(const JsonReader& reader, const SceneReading&) {
 /// (x / a)^2 + (y / b)^2 + (z / c)^2 = 1 times the square of the smallest radius.
 Prepared<EllipsoidSurface> Ellipsoid::prepared(const Preparation& preparation) const {
   const Quadruple smallest = std::min({radii.x, radii.y, radii.z});
-  QuadricFrame frame{exactly(center), axes};
+  const QuadrupleMatrix along = axes();
+  QuadricFrame frame{exactly(center), along};
   Prepared<EllipsoidSurface> prepared{};
   auto& shape = prepared.surface.shape;
   for (std::size_t k = 0; k < 3; ++k) frame.scales[k] = smallest / radii[static_cast<int>(k)];
@@ -60,14 +62,14 @@ Prepared<EllipsoidSurface> Ellipsoid::prepared(const Preparation& preparation) c
   shape.bounded = shape.convex = true;
   shape.enclosure.center = preparation.frame.point(center);
   for (std::size_t k = 0; k < 3; ++k) {
-    shape.enclosure.half[k] = preparation.frame.direction(rounded(axes[k]) * radii[static_cast<int>(k)]);
+    shape.enclosure.half[k] = preparation.frame.direction(rounded(along[k]) * radii[static_cast<int>(k)]);
   }
   return prepared;
 }
 
 Ellipsoid Ellipsoid::transformed(const AffineMap& map) const {
   const Radii found = principal_radii(*this, map);
-  Ellipsoid mapped{mapped_point(map, center), {}, found.axes};
+  Ellipsoid mapped{mapped_point(map, center), {}, std::make_shared<const QuadrupleMatrix>(found.axes)};
   for (std::size_t k = 0; k < 3; ++k) mapped.radii[static_cast<int>(k)] = mapped_length(found.lengths[k]);
   return mapped;
 }
@@ -75,7 +77,8 @@ Ellipsoid Ellipsoid::transformed(const AffineMap& map) const {
 void Ellipsoid::write_pov(PovWriter& pov) const {
   pov.begin("sphere");
   pov.add(glm::dvec3(0), 1, "scale", radii);
-  pov.matrix({rounded(axes[0]), rounded(axes[1]), rounded(axes[2])}, center);
+  const QuadrupleMatrix along = axes();
+  pov.matrix({rounded(along[0]), rounded(along[1]), rounded(along[2])}, center);
   pov.end();
 }
 

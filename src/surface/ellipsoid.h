@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "surface/affine_map.h"
 #include "surface/preparation.h"
@@ -23,12 +24,15 @@ struct Ellipsoid {
 
   glm::dvec3 center;
   glm::dvec3 radii;
-  QuadrupleMatrix axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< that the radii are along, of length 1
+  std::shared_ptr<const QuadrupleMatrix>
+      turned{};  ///< the axes that the radii are along, of length 1; none: the world's
 
   static Ellipsoid read(const JsonReader& reader, const SceneReading& reading);
   Prepared<EllipsoidSurface> prepared(const Preparation& preparation) const;
   Ellipsoid transformed(const AffineMap& map) const;
   void write_pov(PovWriter& pov) const;
+
+  QuadrupleMatrix axes() const { return turned ? *turned : QuadrupleMatrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
 };
 
 }  // namespace pyrasim

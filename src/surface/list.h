@@ -23,6 +23,7 @@
 #include "surface/plane.h"
 #include "surface/polygon.h"
 #include "surface/quadric.h"
+#include "surface/shared.h"
 #include "surface/sphere.h"
 #include "surface/torus.h"
 #include "surface/triangle.h"
@@ -44,8 +45,9 @@ struct Extended<std::variant<Surface...>, More...> {
 
 }  // namespace surface_list
 
-/// And what transforms may make of it.
-using SceneSurface = surface_list::Extended<WrittenSurface, Parallelepiped, FramedQuadric, MeshInstance>::Type;
+/// And what transforms may make of it; what is large stands apart, so that the others need no room for it.
+using SceneSurface =
+    surface_list::Extended<WrittenSurface, Shared<Parallelepiped>, Shared<FramedQuadric>, MeshInstance>::Type;
 
 /// What a ray may meet; the order is that of counts, of costs, and within a leaf of the hierarchy.
 template <class Scalar>

@@ -65,6 +65,10 @@ std::string message_line(std::string_view text) {
 
 std::size_t first_not_utf8(std::string_view text) {
   for (std::size_t offset = 0; offset < text.size();) {
+    if (static_cast<unsigned char>(text[offset]) < 0x80U) {  // nearly all that there is in a long text
+      ++offset;
+      continue;
+    }
     const std::size_t begin = offset;
     if (!next_code_point(text, offset)) return begin;
   }

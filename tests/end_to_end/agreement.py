@@ -152,6 +152,23 @@ class Agreement(tool.EndToEnd):
         self.assertEqual(simulated, rendered)
         self.assertEqual(rendered["rays"]["primary"], 41 * 22)
 
+    def test_every_light_with_shadows_is_listed(self):
+        """What a frame sees of a scene does not decide how many there are."""
+        sun = {"type": "directional", "direction": [1, 0, 0], "color": [1, 1, 1]}
+        lights = [{"type": "ambient", "color": [1, 1, 1]}, sun, {**sun, "shadow": False},
+                  {"type": "point", "position": [0, 5, 0], "color": [1, 1, 1]}]
+        for seen, by_light in (([10, 0, 0], [True, True]), ([-10, 0, 0], [False, False])):
+            scene = self.write("lit.json", {**tool.scene([{**tool.SPHERE, "center": seen}]), "lights": lights})
+            for command in (["render"], ["render", "--method", "grid:2"], ["simulate"],
+                            ["simulate", "--engine", "lockstep"]):
+                shadow = self.stats(command[0], scene, *command[1:])["rays"]["shadow"]
+                self.assertEqual([rays > 0 for rays in shadow["by_light"]], by_light, command)
+                self.assertEqual(sum(shadow["by_light"]), shadow["total"])
+                self.assertIn(f"{shadow['total']}   to 2 lights", self.ok(*command[:1], scene, *command[1:]))
+        dark = self.write("dark.json", {**tool.scene([{**tool.SPHERE, "shadow": False}]), "lights": lights})
+        for command in ("render", "simulate"):
+            self.assertEqual(self.stats(command, dark)["rays"]["shadow"], {"total": 0, "by_light": []})
+
     def test_empty_scene(self):
         empty = self.write("empty.json", tool.scene([], columns=640, rows=480))
         for command in (["render"], ["render", "--reuse", "frame"], ["simulate"], ["simulate", "--engine", "lockstep"]):

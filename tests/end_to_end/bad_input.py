@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A mistake in a file is one line, the right exit code, and no output; odd input that is allowed works."""
 
+import itertools
 import json
 
 import tool
@@ -100,6 +101,40 @@ class BadInput(tool.EndToEnd):
         not_utf8 = self.folder / "sc\udce8ne.json"
         not_utf8.write_text(json.dumps(tool.scene()))
         self.assertEqual(self.stats("render", not_utf8)["scene"], str(self.folder / "sc\ufffdne.json"))
+
+    def test_lights_in_and_on_surfaces(self):
+        """What faces away from its lamp, or holds it, is dark: without a speckle, where rays meet the lamp itself too."""
+        ring = {"type": "torus", "center": [10, 0, 0], "axis": [1, 0, 0], "major_radius": 2, "minor_radius": 0.5}
+        screen = {"columns": 20, "rows": 20, "dx": 1, "dy": 0.05, "dz": 0.05}
+        for surface, *lamps in (
+                ({"type": "sphere", "center": [10, 0, 0], "radius": 2}, [8, 0, 0], [10, 0, 0]),
+                ({"type": "box", "min": [8, -2, -2], "max": [12, 2, 2]}, [8, 0.4, 1.2], [10, 0, 0]),
+                ({"type": "plane", "normal": [-1, 0, 0], "offset": -8}, [8, 0.8, 0.8], [8, 0, 0]),
+                ({"type": "cylinder", "base": [8, 0, 0], "cap": [12, 0, 0], "radius": 2}, [8, 0.4, 0.8], [9, 0, 0]),
+                ({"type": "disc", "center": [8, 0, 0], "normal": [1, 0, 0], "radius": 2}, [8, 0.4, 0.8]),
+                ({"type": "triangle", "vertices": [[8, -2, -2], [8, 2, -2], [8, 0, 2]]}, [8, 0.4, -0.8]),
+                (ring, [10, 2, 0])):
+            for lamp, falloff in itertools.product(lamps, ("none", "quadratic")):
+                lights = [{"type": "ambient", "color": [0.25, 0.25, 0.25]},
+                          {"type": "point", "position": lamp, "color": [1, 1, 1], "falloff": falloff}]
+                scene = self.write("lamp.json", {"camera": {"screen": screen}, "lights": lights,
+                                                 "objects": [{**surface, "color": [1, 1, 1]}]})
+                self.ok("render", scene, "-o", "lamp.pfm")
+                values = tool.pfm_values(self.folder / "lamp.pfm")
+                self.assertTrue(all(0 <= value <= 0.25 + 1e-6 for value in values), (surface, lamp, max(values)))
+                self.assertAlmostEqual(max(values), 0.25)
+
+    def test_many_lights(self):
+        """A hundred thousand without shadows shine like one."""
+        def lit(count):
+            lamp = {"type": "point", "color": [1 / count] * 3, "position": [0, 5, 3], "shadow": False}
+            scene = self.write("lamps.json", {**tool.scene(), "lights": [lamp] * count})
+            self.ok("render", scene, "-o", "lamps.pfm")
+            return tool.pfm_values(self.folder / "lamps.pfm")
+        one, many = lit(1), lit(100000)
+        self.assertGreater(len(set(one)), 4)
+        for a, b in zip(one, many):
+            self.assertAlmostEqual(a, b, places=6)
 
     def test_machine_file(self):
         scene = self.write("scene.json", tool.scene())

@@ -17,7 +17,7 @@ from tool import SCENES
 RANDOM_SCENES = 50
 LARGEST_ERROR = 1 / 4096
 SURFACES = ("sphere", "plane", "triangle", "disc", "box", "ellipsoid", "cylinder", "cone", "quadric", "polygon",
-            "torus", "mesh")
+            "torus", "mesh", "instance")
 
 
 def povray(scene, columns, rows):
@@ -48,7 +48,8 @@ def number_of(color):
 def numbered(document):
     """The same scene without light, where an object's colour says its number."""
     objects = [{**thing, "color": [k + 1, 0, 0]} for k, thing in enumerate(document["objects"])]
-    return {"camera": document["camera"], "background": [0, 0, 0], "objects": objects}
+    unlit = {key: value for key, value in document.items() if key not in ("light", "lights")}
+    return {**unlit, "background": [0, 0, 0], "objects": objects}
 
 
 def in_light_and_shadow(document, chance):
@@ -88,6 +89,7 @@ class RandomScene:
         self.name = f"random_{seed}"
         self.eye = self.vector(20)
         self.forward, self.up = self.unit(), self.unit()
+        self.meshes, self.shapes = 0, {}
 
     def vector(self, size):
         return [self.random.uniform(-size, size) for _ in range(3)]
@@ -113,7 +115,7 @@ class RandomScene:
         return [x + d for x, d in zip(place, self.vector(size))]
 
     def document(self):
-        kinds = list(SURFACES) + self.random.choices(SURFACES[:-1], k=3)
+        kinds = list(SURFACES) + self.random.choices(SURFACES, k=3)
         self.random.shuffle(kinds)
         document = {
             "camera": {"position": self.eye, "look_at": [e + f for e, f in zip(self.eye, self.forward)], "up": self.up,
@@ -121,7 +123,9 @@ class RandomScene:
             "background": [self.between(0, 1) for _ in range(3)],
             "objects": [{"name": f"{kind} ü */ \\\n#error", "type": kind, **getattr(self, kind)(),
                          "color": [self.between(0.2, 1) for _ in range(3)]}
-                        for kind in kinds[: self.random.randrange(3, 16)]]}
+                        for kind in kinds[: self.random.randrange(3, 17)]]}
+        if self.shapes:
+            document["shapes"] = self.shapes
         if self.chance(0.8):
             document["light"] = {"ambient": self.random.choice([0, 1, self.between(0, 1)]), "direction": self.vector(3)}
         return document
@@ -214,10 +218,18 @@ class RandomScene:
         corners = [[p + sign * self.between(0.5, 2) * a for p, a in zip(place, axis)] for axis in axes
                    for sign in (1, -1)]
         faces = [(x, y, z) for x in (1, 2) for y in (3, 4) for z in (5, 6)]
-        file = self.folder / f"{self.name}.obj"
+        self.meshes += 1
+        file = self.folder / f"{self.name}_{self.meshes}.obj"
         file.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in corners)
                         + "".join(f"f {a} {b} {c}\n" for a, b, c in faces))
         return {"file": str(file)}
+
+    def instance(self):
+        """Of a mesh that others may show, or of an instance of it."""
+        if not self.shapes:
+            self.shapes = {"mesh": {"type": "mesh", **self.mesh()},
+                           "tall": {"type": "instance", "of": "mesh", "transform": [{"scale": [1, 1.25, 1]}]}}
+        return {"of": self.random.choice(list(self.shapes)), "transform": {"translate": self.vector(2)}}
 
 
 class Comparison:
@@ -246,9 +258,8 @@ class Comparison:
         picture = scene.with_suffix(".pfm")
         subprocess.run([tool.PYRASIM, "render", scene, "--method", "point", "--threads", "1", "--size",
                         f"{self.columns}x{self.rows}", "-o", picture], check=True, capture_output=True)
-        columns, rows, data = tool.read_pfm(picture)
-        assert (columns, rows) == (self.columns, self.rows)
-        return as_rows(struct.unpack(f"<{columns * rows * 3}f", b"".join(data)), columns)
+        assert tool.read_pfm(picture)[:2] == (self.columns, self.rows)
+        return as_rows(tool.pfm_values(picture), self.columns)
 
     def export(self, scene, *options):
         pov = scene.with_name(scene.stem + "".join(options) + ".pov")
@@ -273,7 +284,7 @@ class Comparison:
 def shipped():
     for file in sorted(SCENES.glob("*.json")):
         document = tool.read_json(file)
-        for thing in document["objects"]:
+        for thing in [*document["objects"], *document.get("shapes", {}).values()]:
             if thing["type"] == "mesh":
                 thing["file"] = str(SCENES / thing["file"])
         yield file.stem, document, (160, 120)

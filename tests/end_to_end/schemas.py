@@ -66,7 +66,7 @@ class Schemas(tool.EndToEnd):
         scene = tool.scene()
         scene["shapes"] = {"s": {"type": "sphere", "center": [0, 0, 0], "radius": 1, "transform": {"scale": [1, -2, 3]}},
                            "t": {"type": "instance", "of": "s"}}
-        scene["objects"].append({"type": "instance", "of": "t", "color": [1, 1, 1], "transform": [
+        scene["objects"].append({"type": "instance", "of": "t", "color": [1, 1, 1], "shadow": False, "transform": [
             {"scale": 2}, {"rotate": {"axis": [0, 1, 0], "degrees": 30}}, {"translate": [9, 0, 0]},
             {"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}]})
         self.ok("check", self.write("transforms.json", scene))
@@ -74,7 +74,8 @@ class Schemas(tool.EndToEnd):
         changes = [(["objects", last, "transform", *path], value) for path, value in (
             ([0, "scale"], 0), ([0, "scale"], [1, 1]), ([0], {}), ([1, "rotate", "degrees"], None), ([0, "turn"], 1),
             ([1, "rotate", "axis"], [1, 1]), ([2, "translate"], 1), ([3, "matrix"], [[1, 0, 0, 0]] * 2), ([], []))]
-        changes += [(["shapes", "s", "color"], [1, 1, 1]), (["objects", last, "of"], None), (["shapes", "s", "type"], "x")]
+        changes += [(["shapes", "s", "color"], [1, 1, 1]), (["objects", last, "of"], None), (["objects", last, "shadow"], 1),
+                    (["shapes", "s", "type"], "x")]
         self.assert_refused(validator, scene, changes)
         for path, value in changes:
             self.refused(tool.INPUT, "check", self.write("wrong.json", changed(scene, path, value)), says="wrong.json: /")
@@ -111,7 +112,7 @@ class Schemas(tool.EndToEnd):
                 yield path, node
 
         found = list(settings(document, []))
-        self.assertEqual(len(found), 47)
+        self.assertEqual(len(found), 48)
         for path, node in found:
             def file_with(value, path=path):
                 nested = value

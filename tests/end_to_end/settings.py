@@ -19,8 +19,9 @@ SCENE = tool.scene(
      {"type": "cone", "base": [12, -2, -2], "cap": [12, 2, -2], "base_radius": 1, "cap_radius": 0, "color": [0, 1, 0]},
      {"type": "quadric", "coefficients": {"yy": 1, "zz": 1, "x": -1, "constant": 9}, "clip": {"max": [10, 9, 9]},
       "color": [0.5, 1, 0.5]},
-     {"type": "torus", "center": [9, 3, -2], "axis": [1, 1, 0], "major_radius": 1, "minor_radius": 0.4, "color": [1, 0, 0.5]}],
-    columns=24, rows=18)
+     {"type": "torus", "center": [9, 3, -2], "axis": [1, 1, 0], "major_radius": 1, "minor_radius": 0.4, "color": [1, 0, 0.5]},
+     {"type": "instance", "of": "mesh", "transform": {"translate": [8, -2, 0]}, "color": [0.5, 0.75, 1]}],
+    columns=24, rows=18) | {"shapes": {"mesh": {"type": "mesh", "file": str(tool.SCENES / "crystal.obj")}}}
 
 # For what stands only where lights have shadows.
 SHADOWED = SCENE | {"lights": [{"type": "directional", "direction": [1, -1, 1], "color": [1, 1, 1]},

@@ -191,8 +191,10 @@ Case random_case(std::mt19937_64& random) {
   const auto columns = static_cast<int>(1 + random() % 12);
   const auto rows = static_cast<int>(1 + random() % 8);
   const int objects = random() % 8 == 0 ? 0 : 10;
-  result.scene = random_scene(random(), {objects, objects, random() % 4 == 0 ? 1 : 0, 0, 0, random() % 3 == 0 ? 4 : 0},
-                              columns, rows);
+  const int planes = random() % 4 == 0 ? 1 : 0;
+  const int quadrics = random() % 3 == 0 ? 4 : 0;
+  const int instances = random() % 3 == 0 ? 4 : 0;
+  result.scene = random_scene(random(), {objects, objects, planes, 0, 0, quadrics, 0, instances}, columns, rows);
   if (random() % 2 == 0) result.scene = under_lights(std::move(result.scene), random);
   result.options.max_level = static_cast<int>(random() % 6);
   if (random() % 4 == 0) result.options.formats.intersection = NumberFormat::single();

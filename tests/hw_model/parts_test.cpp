@@ -49,6 +49,15 @@ Scene scene_of(std::initializer_list<SceneSurface> surfaces) {
   return scene;
 }
 
+/// Two spheres in one place of the screen, far from each other: one leaf for view rays, two for shadow rays.
+Frame one_sphere_before_another() {
+  Scene scene = scene_of({Sphere{{5, 0, 0}, 1}, Sphere{{50, 0, 0}, 10}});
+  scene.lights = {DirectionalLight{{1, -1, 0}, {1, 1, 1}}};
+  Names others = with({controller, shadows}, {"sphere"}, false);
+  others.insert(shadows + ".hierarchy_walker");
+  return {"one sphere before another", std::move(scene), 2, 2, std::move(others)};
+}
+
 std::vector<Frame> frames() {
   const Sphere ball{{5, 0, 0}, 1};
   const Plane floor{{0, 1, 0}, -1};
@@ -60,6 +69,7 @@ std::vector<Frame> frames() {
       shipped("blocks", 3, 4, with({controller}, {"sphere", "plane", "disc", "box"})),
       shipped("quadrics", 2, 3, with({controller}, {"plane", "cylinder", "cone", "ellipsoid", "quadric", "triangle"})),
       shipped("tori", 1, 2, with({controller}, {"sphere", "plane", "torus"})),
+      shipped("crystals", 2, 3, with({controller}, {"sphere", "plane", "triangle", "instance"})),
       shipped(
           "shadows", 3, 3,
           with({controller, shadows}, {"sphere", "plane", "box", "cylinder", "cone", "ellipsoid", "quadric", "disc"})),
@@ -69,6 +79,7 @@ std::vector<Frame> frames() {
       {"one plane", scene_of({floor}), 0, 1, with({}, {"plane"}, false)},
       {"one sphere on a plane", scene_of({ball, floor}), 2, 4, with({controller}, {"sphere", "plane"}, false)},
       {"two spheres", scene_of({ball, Sphere{{5, 1, 2}, 1}}), 2, 1, with({controller}, {"sphere"})},
+      one_sphere_before_another(),
   };
 }
 
@@ -117,7 +128,7 @@ void expect_accounted(const Processor& machine) {
   EXPECT_EQ(of_boxes, of_stages);
   const FrameStatistics counts = machine.statistics();
   EXPECT_EQ(of_unit, of_its_parts + machine.spec().intersection_cost.ray * counts.total_rays());
-  if (counts.work.shadow.lights == 0) return;
+  if (counts.lights_with_shadows == 0) return;
   EXPECT_EQ(of_shadows,
             of_their_parts + counts.total_rays() + machine.spec().shadow_unit.ray * counts.work.shadow.total_rays());
 }

@@ -121,5 +121,11 @@ TEST(BoundingBox, FrontalAreaIsWhatARayAlongXSees) {
   EXPECT_EQ(box.frontal_area(), 2 * 3);
 }
 
+TEST(BoundingBox, HalfItsSurfaceIsThreeOfItsSides) {
+  EXPECT_EQ(BoundingBox().half_surface(), 0);
+  const BoundingBox box{{1, 2, 3}, {9, 4, 6}};
+  EXPECT_EQ(box.half_surface(), 8 * 2 + 2 * 3 + 3 * 8);
+}
+
 }  // namespace
 }  // namespace pyrasim

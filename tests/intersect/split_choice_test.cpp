@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <random>
 
@@ -17,39 +18,47 @@ namespace {
 using Boxes = std::vector<BoundingBox>;
 using Set = std::vector<std::uint32_t>;  ///< indices of boxes
 
-/// The surface area heuristic for parallel rays: a box is met by the share of its parent's rays that its area on the
-/// screen, across the rays, is of the parent's.
-double area(const Boxes& boxes, const Set& set) {
-  double lower_y = std::numeric_limits<double>::infinity();
-  double lower_z = lower_y;
-  double upper_y = -lower_y;
-  double upper_z = -lower_y;
-  for (const std::uint32_t k : set) {
-    lower_y = std::min(lower_y, boxes[k].lower.y);
-    lower_z = std::min(lower_z, boxes[k].lower.z);
-    upper_y = std::max(upper_y, boxes[k].upper.y);
-    upper_z = std::max(upper_z, boxes[k].upper.z);
+/// Boxes, and which way the rays run.
+struct Given {
+  Boxes boxes;
+  Course course;
+};
+
+/// What a ray sees of a set: its sides across y and z where rays run along x, else all that there are of its sides.
+double area(const Given& given, const Set& set) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> side{};
+  for (int axis = 0; axis < 3; ++axis) {
+    double lower = infinity;
+    double upper = -infinity;
+    for (const std::uint32_t k : set) {
+      lower = std::min(lower, given.boxes[k].lower[axis]);
+      upper = std::max(upper, given.boxes[k].upper[axis]);
+    }
+    side[static_cast<std::size_t>(axis)] = upper - lower;
   }
-  return (upper_y - lower_y) * (upper_z - lower_z);
+  const auto [x, y, z] = side;
+  return given.course == Course::along_x ? y * z : x * y + x * z + y * z;
 }
 
-/// In surface tests of a ray that meets both: one for the boxes, and those of a side for the rays that meet it.
-double cost(const Boxes& boxes, const Set& left, const Set& right) {
+/// The surface area heuristic: a box is met by the share of its parent's rays that its area is of the parent's. In
+/// surface tests of a ray that meets both: one for the boxes, and those of a side for the rays that meet it.
+double cost(const Given& given, const Set& left, const Set& right) {
   Set both = left;
   both.insert(both.end(), right.begin(), right.end());
   const double sides =
-      area(boxes, left) * static_cast<double>(left.size()) + area(boxes, right) * static_cast<double>(right.size());
-  return 1 + sides / area(boxes, both);
+      area(given, left) * static_cast<double>(left.size()) + area(given, right) * static_cast<double>(right.size());
+  return 1 + sides / area(given, both);
 }
 
 /// The least cost among the splits by a plane across any axis, between any two centres.
-double least_cost(const Boxes& boxes, Set set) {
+double least_cost(const Given& given, Set set) {
   double least = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     std::sort(set.begin(), set.end(),
-              [&](auto p, auto q) { return boxes[p].center()[axis] < boxes[q].center()[axis]; });
+              [&](auto p, auto q) { return given.boxes[p].center()[axis] < given.boxes[q].center()[axis]; });
     for (auto middle = set.begin() + 1; middle != set.end(); ++middle) {
-      least = std::min(least, cost(boxes, Set(set.begin(), middle), Set(middle, set.end())));
+      least = std::min(least, cost(given, Set(set.begin(), middle), Set(middle, set.end())));
     }
   }
   return least;
@@ -75,28 +84,28 @@ struct Counts {
 };
 
 /// Checks every choice of the hierarchy below `index`, where all could be had. Returns the node's boxes.
-Set check(const Boxes& boxes, const Hierarchy& hierarchy, std::uint32_t index, Counts& counts) {
+Set check(const Given& given, const Hierarchy& hierarchy, std::uint32_t index, Counts& counts) {
   const BinaryNode& node = hierarchy.nodes.at(index);
   if (node.count > 0) {
     const auto first = hierarchy.references.begin() + node.first;
     const Set set(first, first + node.count);
     EXPECT_LE(set.size(), 8U);
-    if (set.size() > 1 && all_apart(boxes, set)) {
+    if (set.size() > 1 && all_apart(given.boxes, set)) {
       ++counts.leaves;
-      EXPECT_GE(least_cost(boxes, set), static_cast<double>(set.size()) - 1e-9) << "a split would cost less";
+      EXPECT_GE(least_cost(given, set), static_cast<double>(set.size()) - 1e-9) << "a split would cost less";
     }
     return set;
   }
-  const Set left = check(boxes, hierarchy, node.first, counts);
-  const Set right = check(boxes, hierarchy, node.first + 1, counts);
+  const Set left = check(given, hierarchy, node.first, counts);
+  const Set right = check(given, hierarchy, node.first + 1, counts);
   Set set = left;
   set.insert(set.end(), right.begin(), right.end());
-  if (!all_apart(boxes, set)) return set;
+  if (!all_apart(given.boxes, set)) return set;
   ++counts.splits;
   counts.small_splits += set.size() <= 8 ? 1 : 0;
-  EXPECT_NEAR(cost(boxes, left, right), least_cost(boxes, set), 1e-9) << set.size() << " boxes";
+  EXPECT_NEAR(cost(given, left, right), least_cost(given, set), 1e-9) << set.size() << " boxes";
   if (set.size() <= 8) {
-    EXPECT_LT(least_cost(boxes, set), static_cast<double>(set.size())) << "a leaf costs less";
+    EXPECT_LT(least_cost(given, set), static_cast<double>(set.size())) << "a leaf costs less";
   }
   return set;
 }
@@ -118,16 +127,18 @@ Boxes boxes_apart(std::size_t count, double largest_side, std::mt19937_64& rando
   return boxes;
 }
 
-TEST(SplitChoice, IsTheCheapestOfAll) {
+class SplitChoiceFor : public testing::TestWithParam<Course> {};
+
+TEST_P(SplitChoiceFor, IsTheCheapestOfAll) {
   std::mt19937_64 random(3);
   Counts counts;
   for (int round = 0; round < 40; ++round) {
     for (std::size_t count = 2; count <= 16; ++count) {
       for (const double largest_side : {0.5, 4.0, 20.0}) {
         SCOPED_TRACE(testing::Message() << "round " << round << ", sides up to " << largest_side);
-        const Boxes boxes = boxes_apart(count, largest_side, random);
-        const Hierarchy hierarchy = build_hierarchy(boxes, Course::along_x);
-        check(boxes, hierarchy, 0, counts);
+        const Given given{boxes_apart(count, largest_side, random), GetParam()};
+        const Hierarchy hierarchy = build_hierarchy(given.boxes, given.course);
+        check(given, hierarchy, 0, counts);
       }
     }
   }
@@ -135,6 +146,9 @@ TEST(SplitChoice, IsTheCheapestOfAll) {
   EXPECT_GT(counts.small_splits, 300);
   EXPECT_GT(counts.leaves, 100);
 }
+
+INSTANTIATE_TEST_SUITE_P(Rays, SplitChoiceFor, testing::Values(Course::along_x, Course::any),
+                         [](const auto& course) { return course.param == Course::along_x ? "along_x" : "any"; });
 
 /// A tree of spheres, by their places in the scene: a leaf's in brackets, a node's children in braces, all in order.
 std::string written(std::vector<std::string> parts, const char* open, const char* close) {

@@ -199,10 +199,22 @@ class NaiveRenderer {
     return 0;
   }
   static double distance(const Mesh&, const glm::dvec3&) { return 0; }
+  static double distance(const MeshInstance& instance, const glm::dvec3& v) {
+    const Mesh& mesh = instance.of->mesh;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& triangle : mesh.triangles) {
+      Triangle placed;
+      for (std::size_t k = 0; k < 3; ++k) {
+        placed.vertices[k] = rounded(instance.map.point(exactly(mesh.vertices[triangle[k]])));
+      }
+      const double t = distance(placed, v);
+      if (t > 0) nearest = std::min(nearest, t);
+    }
+    return nearest < std::numeric_limits<double>::infinity() ? nearest : 0;
+  }
   /// Random scenes have no transforms.
   static double distance(const Parallelepiped&, const glm::dvec3&) { return 0; }
   static double distance(const FramedQuadric&, const glm::dvec3&) { return 0; }
-  static double distance(const MeshInstance&, const glm::dvec3&) { return 0; }
 
   const Scene& scene_;
   int max_level_;

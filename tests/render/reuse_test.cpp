@@ -22,7 +22,7 @@ Scene unlit_scene(std::uint64_t seed, const RandomContents& contents, int column
 
 TEST(NaiveRenderer, AgreesWithTheRenderer) {
   for (std::uint64_t seed = 31; seed <= 36; ++seed) {
-    const Scene scene = unlit_scene(seed, {8, 8, seed % 2 == 0 ? 1 : 0, 0, 0, 0, 3}, 24, 19);
+    const Scene scene = unlit_scene(seed, {8, 8, seed % 2 == 0 ? 1 : 0, 0, 0, 0, 3, 3}, 24, 19);
     for (const int max_level : {0, 1, 3, 5}) {
       for (const EdgePolicy edge : {EdgePolicy::mean, EdgePolicy::drop}) {
         NaiveRenderer naive(scene, max_level, edge == EdgePolicy::drop);

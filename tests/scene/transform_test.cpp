@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Transforms and shapes in scene files.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
@@ -55,7 +57,7 @@ TEST_F(Transforms, AScaledSphereIsAnEllipsoid) {
   const auto ellipsoid = std::get<Ellipsoid>(loaded(ball, R"({"scale": [1, -2, 0.5]})"));
   EXPECT_EQ(ellipsoid.center, glm::dvec3(1, -4, 1.5));
   EXPECT_EQ(ellipsoid.radii, glm::dvec3(2, 4, 1));
-  EXPECT_EQ(rounded(ellipsoid.axes[1]), glm::dvec3(0, -1, 0));
+  EXPECT_EQ(rounded(ellipsoid.axes()[1]), glm::dvec3(0, -1, 0));
 }
 
 TEST_F(Transforms, SimilaritiesKeepKinds) {
@@ -68,9 +70,9 @@ TEST_F(Transforms, SimilaritiesKeepKinds) {
             glm::dvec3(0, -1, 0));
   EXPECT_EQ(std::get<Cylinder>(loaded(tube, turn)).radius, 3);
   EXPECT_NEAR(static_cast<double>(std::get<Cylinder>(loaded(tube, turn)).axis.length()), 6, 1e-14);
-  EXPECT_TRUE(std::holds_alternative<Parallelepiped>(loaded(box, turn)));
+  EXPECT_TRUE(std::holds_alternative<Shared<Parallelepiped>>(loaded(box, turn)));
   EXPECT_EQ(std::get<Box>(loaded(box, R"({"scale": [-1, 1, 2]})")).min, glm::dvec3(-1, 0, 0));
-  EXPECT_TRUE(std::holds_alternative<FramedQuadric>(loaded(tube, R"({"scale": [1, 2, 1]})")));
+  EXPECT_TRUE(std::holds_alternative<Shared<FramedQuadric>>(loaded(tube, R"({"scale": [1, 2, 1]})")));
 }
 
 TEST_F(Transforms, PlanesGoByTheirNormals) {
@@ -94,6 +96,30 @@ TEST_F(Transforms, InstancesOfInstancesAreMappedFromTheInnermostOut) {
   EXPECT_EQ(std::get<Sphere>(scene.objects.at(1).surface).center, glm::dvec3(2, 4, 6));
 }
 
+/// Each shape of the next, and the last of `last`.
+std::string chain_of_instances(int length, const std::string& last, const std::string& transform) {
+  std::string shapes = R"("shapes": {)";
+  for (int k = 0; k < length; ++k) {
+    shapes += fmt::format(R"("s{}": {{"type": "instance", "of": "s{}"{}}}, )", k, k + 1, transform);
+  }
+  return shapes + fmt::format(R"("s{}": {{{}}}}}, "objects": [{{"type": "instance", "of": "s0", "color": [1, 1, 1]}}])",
+                              length, last);
+}
+
+TEST_F(Transforms, InstancesMayBeNestedDeeperThanCalls) {
+  const Scene scene = load(chain_of_instances(100'000, ball, ""));
+  EXPECT_EQ(std::get<Sphere>(scene.objects.at(0).surface).center, glm::dvec3(1, 2, 3));
+  const std::string moved = R"(, "transform": {"translate": [0.25, 0, 0]})";
+  const Scene far = load(chain_of_instances(10'000, ball, moved));
+  EXPECT_EQ(std::get<Sphere>(far.objects.at(0).surface).center, glm::dvec3(2501, 2, 3));
+  const std::string doubled = R"(, "transform": {"scale": 2})";
+  EXPECT_NE(error(chain_of_instances(10'000, ball, doubled)).find("/transform: it makes lengths "), std::string::npos);
+  const std::string circle = R"("type": "instance", "of": "s0")";
+  EXPECT_EQ(
+      error(chain_of_instances(10'000, circle, "")).find(": /shapes/s10000/of: a shape is made of itself: \"s0\" of "),
+      0U);
+}
+
 TEST_F(Transforms, AMeshFileIsReadOnce) {
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl x\n");
   const Scene scene = load(R"("shapes": {"m": {"type": "mesh", "file": "m.obj"}},
@@ -102,6 +128,22 @@ TEST_F(Transforms, AMeshFileIsReadOnce) {
   EXPECT_EQ(scene.files.size(), 2U);
   EXPECT_EQ(scene.warnings.size(), 1U);
   EXPECT_EQ(std::get<Mesh>(scene.objects.at(1).surface).vertices[2], glm::dvec3(0, 2, 0));
+}
+
+TEST_F(Transforms, InstancesOfAMeshShareItAndAreNotCopied) {
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Scene scene = load(R"("shapes": {"m": {"type": "mesh", "file": "m.obj", "transform": {"scale": 2}},
+                                         "n": {"type": "instance", "of": "m", "transform": {"translate": [1, 0, 0]}}},
+    "objects": [{"type": "instance", "of": "m", "color": [1, 1, 1]},
+                {"type": "instance", "of": "n", "color": [1, 1, 1], "transform": {"scale": [1, 2, 3]}}])");
+  const auto& plain = std::get<MeshInstance>(scene.objects.at(0).surface);
+  const auto& moved = std::get<MeshInstance>(scene.objects.at(1).surface);
+  EXPECT_EQ(plain.of, moved.of);
+  const auto placed = [](const MeshInstance& instance) {
+    return rounded(instance.map.point(exactly(instance.of->mesh.vertices[2])));
+  };
+  EXPECT_EQ(placed(plain), glm::dvec3(0, 2, 0));
+  EXPECT_EQ(placed(moved), glm::dvec3(1, 4, 0));
 }
 
 TEST_F(Transforms, Mistakes) {
@@ -118,6 +160,10 @@ TEST_F(Transforms, Mistakes) {
   EXPECT_EQ(with(R"({"matrix": [[1, 1, 0, 0], [1, 1, 0, 0], [0, 0, 1, 0]]})"),
             at + "/matrix: it is singular, or nearly: it flattens space; ratios of at most 1000000 between directions "
                  "are allowed");
+  EXPECT_EQ(with(R"({"matrix": [[1e-300, 0, 0, 0], [0, 1e-300, 0, 0], [0, 0, 1e-300, 0]]})"),
+            at + "/matrix: it makes lengths 1e-300 times as long; factors from 1e-60 to 1e+60 are allowed");
+  EXPECT_EQ(with(R"([{"scale": 1e30}, {"scale": 1e29}, {"scale": 100}])"),
+            at + ": it makes lengths 1e+61 times as long; factors from 1e-60 to 1e+60 are allowed");
   EXPECT_EQ(with(R"({"scale": [1, 1, 3e6]})"),
             at + "/scale: it stretches one direction 3e+06 times as much as another; ratios of at most 1000000 between "
                  "directions are allowed");

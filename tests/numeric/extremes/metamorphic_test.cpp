@@ -58,6 +58,15 @@ Scene mapped(Scene scene, const Map& map) {
     } else if (auto* torus = std::get_if<Torus>(&object.surface)) {
       torus->center = map(torus->center);
       torus->axis = map(torus->axis);
+    } else if (auto* instance = std::get_if<MeshInstance>(&object.surface)) {
+      QuadrupleMatrix rows{};
+      for (int k = 0; k < 3; ++k) {
+        glm::dvec3 axis(0);
+        axis[k] = 1;
+        const glm::dvec3 column = map(axis);
+        for (int i = 0; i < 3; ++i) rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = column[i];
+      }
+      instance->map = AffineMap(rows, {}).after(instance->map);
     }
   }
   return scene;
@@ -79,7 +88,7 @@ Image rearranged(const Image& image, int columns, int rows, const Source& source
 constexpr int columns = 26;
 constexpr int rows = 19;
 
-Scene lit_scene(std::uint64_t seed) { return random_scene(seed, {9, 9, 1, 5, 5, 8, 5}, columns, rows); }
+Scene lit_scene(std::uint64_t seed) { return random_scene(seed, {9, 9, 1, 5, 5, 8, 5, 4}, columns, rows); }
 
 TEST(ExtremesMetamorphic, MirroredScenesMakeMirroredPictures) {
   const Scene scene = lit_scene(41);

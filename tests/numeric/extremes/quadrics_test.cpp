@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: surfaces of second order far from the world's origin and seen from far, and rays along their generators.
-#include "../ties/every_hit.h"
-#include "../ties/exact_distance.h"
-#include "camera/observer_frame.h"
+#include "far_hits.h"
 #include "numeric/round_to_format.h"
 #include "surface/transformed.h"
 
@@ -97,7 +95,6 @@ std::optional<Real> exact_along(const Scene& scene, const Kind& kind, bool askew
 
 /// A surface about a point far out, and a camera `distance` from it.
 Scene far_out(Random& random, const Kind& kind, bool askew, double distance) {
-  const auto whole = [](const glm::dvec3& v) { return glm::dvec3(std::round(v.x), std::round(v.y), std::round(v.z)); };
   const glm::dvec3 center = whole(random.unit_vector() * 1e5);
   Scene scene = empty_scene(1, 1, 1);
   scene.camera = decimal_camera(random, 0);
@@ -107,62 +104,32 @@ Scene far_out(Random& random, const Kind& kind, bool askew, double distance) {
   return scene;
 }
 
-/// Where rays by a few units of the last place beside it hit, or miss: outside of a band about outlines all the same.
-template <class ExactAlong>
-bool in_band(const ExactAlong& exact_along, const glm::dvec3& v, double unit, const std::optional<Real>& exact) {
-  for (const double y : {-unit, unit}) {
-    for (const double z : {-unit, unit}) {
-      const auto there = exact_along(glm::dvec3(v.x, v.y + y, v.z + z));
-      if (there.has_value() != exact.has_value()) return true;
-      if (exact && abs(*there - *exact) > *exact * Real(0x1p-6)) return true;
-    }
-  }
-  return false;
-}
-
-struct Errors {
-  int wrong = 0;
-  std::vector<double> in_units;
-};
-
 template <class Scalar>
-Errors errors(const Kind& kind, bool askew, double distance) {
-  const NumberFormat format = format_of<Scalar>();
+FarHits far_hits(const Kind& kind, bool askew, double distance) {
   Random random(17);
-  Errors errors;
+  FarHits found;
   for (int k = 0; k < 40; ++k) {
     const Scene scene = far_out(random, kind, askew, distance);
     const auto along = [&](const glm::dvec3& v) { return exact_along(scene, kind, askew, v); };
-    const auto tester = make_every_hit(scene, format);
+    const auto tester = make_every_hit(scene, format_of<Scalar>());
     const glm::dvec3 center(
         std::sqrt(dot(scene.camera.position - scene.camera.look_at, scene.camera.position - scene.camera.look_at)), 0,
         0);
-    for (int ray = 0; ray < 40; ++ray) {
-      const glm::dvec3 target = center + random.vector(-1.5, 1.5);
-      const glm::dvec3 v(1, as_held<Scalar>(target.y / target.x), as_held<Scalar>(target.z / target.x));
-      const auto exact = along(v);
-      if (in_band(along, v, 64 * std::ldexp(1.0, 1 - format.significand_bits), exact)) continue;
-      const auto hits = tester->of(v);
-      if (hits.empty() == exact.has_value()) ++errors.wrong;
-      if (hits.empty() || !exact) continue;
-      const Real scaled = *exact * Real(std::ldexp(1.0, tester->exponent()));
-      errors.in_units.push_back(error_in_ulp(static_cast<Scalar>(hits[0].t), scaled));
-    }
+    for (int ray = 0; ray < 40; ++ray) found.add<Scalar>(*tester, along, center + random.vector(-1.5, 1.5));
   }
-  std::sort(errors.in_units.begin(), errors.in_units.end());
-  return errors;
+  return found;
 }
 
 template <class Scalar>
 void expect_few_units(bool askew = false) {
   for (const Kind& kind : kinds) {
     for (const double distance : {8.0, 128.0}) {
-      const Errors found = errors<Scalar>(kind, askew, distance);
-      ASSERT_GT(found.in_units.size(), 100U) << kind.name;
-      const double most = found.in_units[found.in_units.size() * 99 / 100];
+      const FarHits found = far_hits<Scalar>(kind, askew, distance);
+      ASSERT_GT(found.of_t.size(), 100U) << kind.name;
+      const double most = found.p99();
       print_figure(fmt::format("{}{}, 1e5 from the origin, {} away: p99", askew ? "askew " : "", kind.name, distance),
                    format_of<Scalar>(),
-                   fmt::format("{:.1f} ulp of {} hits, {} wrong", most, found.in_units.size(), found.wrong));
+                   fmt::format("{:.1f} ulp of {} hits, {} wrong", most, found.of_t.size(), found.wrong));
       EXPECT_LE(most, askew ? kind.askew_gate : kind.gate) << kind.name;
       EXPECT_EQ(found.wrong, 0) << kind.name;
     }

@@ -45,6 +45,8 @@ Scene scaled(Scene scene, int k) {
       for (auto& half_space : quadric->clip) half_space.offset *= factor;
     } else if (auto* torus = std::get_if<Torus>(&object.surface)) {
       *torus = {times(torus->center, factor), torus->axis, torus->major_radius * factor, torus->minor_radius * factor};
+    } else if (auto* instance = std::get_if<MeshInstance>(&object.surface)) {
+      instance->map = AffineMap::scaling(glm::dvec3(factor)).after(instance->map);
     }
   }
   return scene;
@@ -52,7 +54,7 @@ Scene scaled(Scene scene, int k) {
 
 /// A scene with every kind of surface, seen by a camera that looks askew.
 Scene askew_scene() {
-  Scene scene = random_scene(31, {8, 8, 2, 4, 4, 8, 4}, 24, 18);
+  Scene scene = random_scene(31, {8, 8, 2, 4, 4, 8, 4, 4}, 24, 18);
   scene.camera.position = {-1, 0.3, 0.7};
   scene.camera.look_at = {3, 0.1, 0.2};
   scene.camera.up = {0.1, 1, -0.2};

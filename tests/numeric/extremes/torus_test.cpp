@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes: tori seen from far, from their holes and from within their tubes, far from the world's origin.
-#include "../ties/every_hit.h"
-#include "../ties/exact_distance.h"
 #include "camera/observer_frame.h"
+#include "far_hits.h"
 #include "numeric/round_to_format.h"
 
 namespace pyrasim {
@@ -15,44 +14,16 @@ Torus torus_about(Random& random, const glm::dvec3& center) {
           std::max(decimal(major * std::exp2(random.uniform(-4, 0))), 0.05)};
 }
 
-/// Far out a double holds no decimal numbers.
-glm::dvec3 whole(const glm::dvec3& v) { return {std::round(v.x), std::round(v.y), std::round(v.z)}; }
-
 /// Of the torus' tube: the middle, somewhere.
 glm::dvec3 middle_of_tube(Random& random, const Torus& torus) {
   return torus.center + normalized(cross(torus.axis, random.unit_vector())) * torus.major_radius;
 }
 
-/// Whether rays by so much beside it hit or miss, or at quite another place: within a band about an outline.
-bool in_band(const Scene& scene, const glm::dvec3& v, double unit, const std::optional<Real>& exact) {
-  for (const double y : {-unit, unit}) {
-    for (const double z : {-unit, unit}) {
-      const WorldRay beside(scene.camera, {v.x, v.y + y, v.z + z});
-      const auto there = exact_distance(scene.objects[0].surface, beside);
-      if (there.has_value() != exact.has_value()) return true;
-      if (exact && abs(*there - *exact) > *exact * Real(0x1p-6)) return true;
-    }
-  }
-  return false;
-}
-
-struct Found {
-  int wrong = 0;
-  int lost = 0;  ///< from within the tube
-  std::vector<double> in_units;
-
-  double percentile_99() {
-    std::sort(in_units.begin(), in_units.end());
-    return in_units.empty() ? 0 : in_units[in_units.size() * 99 / 100];
-  }
-};
-
 /// Rays at a torus `distance` times as far as its radius is long, all of it `origin` from the world's.
 template <class Scalar>
-Found from_far(double distance, double origin) {
-  const NumberFormat format = format_of<Scalar>();
+FarHits from_far(double distance, double origin) {
   Random random(41);
-  Found found;
+  FarHits found;
   for (int k = 0; k < 60; ++k) {
     const glm::dvec3 center = whole(random.unit_vector() * origin);
     const Torus torus = torus_about(random, center);
@@ -61,19 +32,15 @@ Found from_far(double distance, double origin) {
     scene.camera.position = center + whole(random.unit_vector() * std::ceil(distance * torus.major_radius + 2));
     scene.camera.look_at = center;
     scene.objects = {object(torus)};
-    const auto tester = make_every_hit(scene, format);
+    const auto tester = make_every_hit(scene, format_of<Scalar>());
+    const auto along = [&](const glm::dvec3& v) {
+      return exact_distance(scene.objects[0].surface, WorldRay(scene.camera, v));
+    };
     const ObserverFrame frame(scene.camera);
     for (int ray = 0; ray < 25; ++ray) {
-      const glm::dvec3 target = frame.point(middle_of_tube(random, torus) +
-                                            random.unit_vector() * (torus.minor_radius * random.uniform(0, 1.5)));
-      const glm::dvec3 v(1, as_held<Scalar>(target.y / target.x), as_held<Scalar>(target.z / target.x));
-      const auto exact = exact_distance(scene.objects[0].surface, WorldRay(scene.camera, v));
-      if (in_band(scene, v, 64 * std::ldexp(1.0, 1 - format.significand_bits), exact)) continue;
-      const auto hits = tester->of(v);
-      if (hits.empty() == exact.has_value()) ++found.wrong;
-      if (hits.empty() || !exact) continue;
-      const Real scaled = *exact * Real(std::ldexp(1.0, tester->exponent()));
-      found.in_units.push_back(error_in_ulp(static_cast<Scalar>(hits[0].t), scaled));
+      const glm::dvec3 place =
+          middle_of_tube(random, torus) + random.unit_vector() * (torus.minor_radius * random.uniform(0, 1.5));
+      found.add<Scalar>(*tester, along, frame.point(place));
     }
   }
   return found;
@@ -81,9 +48,9 @@ Found from_far(double distance, double origin) {
 
 template <class Scalar>
 void expect_few_units(double distance, double origin) {
-  Found found = from_far<Scalar>(distance, origin);
-  const std::size_t hits = found.in_units.size();
-  const double most = found.percentile_99();
+  const FarHits found = from_far<Scalar>(distance, origin);
+  const std::size_t hits = found.of_t.size();
+  const double most = found.p99();
   print_figure(fmt::format("torus, distance/radius {}, {} from the origin: p99", distance, origin), format_of<Scalar>(),
                fmt::format("{:.1f} ulp of {} hits, {} wrong", most, hits, found.wrong));
   EXPECT_GT(hits, 300U);

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "../torus_oracle.h"
 #include "error_bound.h"
+#include "intersect/instanced_triangle.h"
 #include "surface/distance_range.h"
 
 namespace pyrasim::silhouettes {
@@ -50,26 +52,53 @@ Meeting<Number> meet(const PlaneSurface<double>& plane, const Number& y, const N
   return {{approach, 0, 0}, t, side > 0};
 }
 
+/// Edges are m . (q x p) for the vertices p and q and the direction m, whose component `axis` is the largest.
 template <class Number>
-Meeting<Number> meet(const TriangleSurface<double>& triangle, const Number& y, const Number& z) {
+Meeting<Number> meet_triangle(const std::array<std::array<Number, 3>, 3>& vertices, const std::array<Number, 3>& m,
+                              std::size_t axis) {
   std::array<Number, 3> moved_y, moved_z, edges;
+  const std::size_t across = (axis + 1) % 3, upward = (axis + 2) % 3;
+  const Number y = m[across] / m[axis], z = m[upward] / m[axis];
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto& [ax, ay, az] = triangle.vertices[k];
-    moved_y[k] = Number(ay) - y * Number(ax);
-    moved_z[k] = Number(az) - z * Number(ax);
+    const auto& a = vertices[k];
+    moved_y[k] = a[across] - y * a[axis];
+    moved_z[k] = a[upward] - z * a[axis];
   }
   bool negative = false, positive = false;
   Number determinant(0), depth(0);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
-    edges[k] = moved_y[q] * moved_z[p] - moved_z[q] * moved_y[p];
+    edges[k] = m[axis] * (moved_y[q] * moved_z[p] - moved_z[q] * moved_y[p]);
     negative |= sign(edges[k]) < 0;
     positive |= sign(edges[k]) > 0;
     determinant = determinant + edges[k];
-    depth = depth + edges[k] * Number(triangle.vertices[k][0]);
+    depth = depth + edges[k] * vertices[k][axis];
   }
-  if (sign(determinant) == 0) return {edges, Number(triangle.vertices[0][0]), false};
-  return {edges, depth / determinant, negative != positive};
+  if (sign(determinant) == 0) return {edges, vertices[0][axis] / m[axis], false};
+  const Number t = depth / (determinant * m[axis]);
+  return {edges, t, negative != positive && sign(t) > 0};
+}
+
+template <class Number>
+Meeting<Number> meet(const Facet& facet, const Ray& ray) {
+  std::array<std::array<Number, 3>, 3> vertices;
+  const std::array<Number, 3> d{Number(1), ray.y<Number>(), ray.z<Number>()};
+  if (facet.instance == nullptr) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < 3; ++i) vertices[k][i] = Number(facet.triangle.vertices[k][i]);
+    }
+    return meet_triangle(vertices, d, 0);
+  }
+  const InstanceSurface<double>& of = *facet.instance;
+  std::array<Number, 3> m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    m[i] = Number(of.rows[i].x) * d[0] + Number(of.rows[i].y) * d[1] + Number(of.rows[i].z) * d[2];
+    for (std::size_t k = 0; k < 3; ++k) {
+      vertices[k][i] =
+          Number(facet.triangle.vertices[k][i]) * Number(of.scale) - Number(of.origin[static_cast<int>(i)]);
+    }
+  }
+  return meet_triangle(vertices, m, shear_axes(of, ray, {}).front());
 }
 
 template <class Number>
@@ -198,19 +227,20 @@ Meeting<Number> meet(const TorusSurface<double>& torus, const Number& y, const N
   return {{oracle.least_distance(direction), 0, 0}, t ? *t : oracle.nearest(direction), t.has_value()};
 }
 
-/// Which triangles may be hit: those whose vertices' bounds, by the rounding of sheared vertices wider, hold the ray.
+/// Which facets may be hit: those whose vertices' bounds, by the rounding of sheared vertices wider, hold the ray.
 /// One that was left out wrongly would be one that cannot explain a difference.
 class Nearby {
  public:
   Nearby(const ExactScene& scene, const Ray& ray, const Rounding& rounding)
       : y_(static_cast<float>(ray.y<double>())), z_(static_cast<float>(ray.z<double>())) {
-    if (scene.triangles().empty()) return;
+    if (scene.facets().empty()) return;
     reach_ = static_cast<float>(0x1p-20 + 4 * (rounding.relative + rounding.slope_relative) +
                                 2 * rounding.slope_absolute + 4 * rounding.lost(1) / scene.nearest_vertex());
   }
-  bool operator()(const ExactScene::Extent& extent) const {
-    return (extent.lower_y <= y_ + reach_) & (extent.upper_y >= y_ - reach_) & (extent.lower_z <= z_ + reach_) &
-           (extent.upper_z >= z_ - reach_);
+  bool operator()(const Facet& facet) const {
+    const auto& [lower_y, upper_y, lower_z, upper_z] = facet.extent;
+    const float reach = reach_ * facet.doubt;
+    return (lower_y <= y_ + reach) & (upper_y >= y_ - reach) & (lower_z <= z_ + reach) & (upper_z >= z_ - reach);
   }
 
  private:
@@ -224,9 +254,9 @@ template <class Number>
 std::vector<Contact> contacts(const ExactScene& scene, const Ray& ray, const Rounding& rounding) {
   std::vector<Contact> result;
   std::vector<Number> distances;
-  const auto add = [&](SurfaceKind kind, const auto& surface, std::size_t index) {
-    const Meeting<Number> met = meet(surface, ray.y<Number>(), ray.z<Number>());
-    Contact contact{kind, static_cast<std::uint32_t>(index), surface.identity, met.hit, {}, 0, 0};
+  const auto add = [&](SurfaceKind kind, const SurfaceIdentity& identity, std::size_t index,
+                       const Meeting<Number>& met) {
+    Contact contact{kind, static_cast<std::uint32_t>(index), identity, met.hit, {}, 0, 0};
     for (std::size_t k = 0; k < 3; ++k) contact.margins[k] = static_cast<double>(met.margins[k]);
     contact.t = static_cast<double>(met.t);
     result.push_back(contact);
@@ -234,11 +264,15 @@ std::vector<Contact> contacts(const ExactScene& scene, const Ray& ray, const Rou
   };
   const Nearby nearby(scene, ray, rounding);
   for_each_kind([&](auto kind) {
-    const auto& surfaces = scene.surfaces<kind>();
-    if constexpr (kind != index_of_kind<InstanceSurface>) {
+    if constexpr (kind == index_of_kind<TriangleSurface>) {
+      for (std::size_t k = 0; k < scene.facets().size(); ++k) {
+        const Facet& facet = scene.facets()[k];
+        if (nearby(facet)) add(kind_at<kind>, facet.triangle.identity, k, meet<Number>(facet, ray));
+      }
+    } else if constexpr (kind != index_of_kind<InstanceSurface>) {
+      const auto& surfaces = scene.surfaces<kind>();
       for (std::size_t k = 0; k < surfaces.size(); ++k) {
-        if (kind_at<kind> == kind_of<TriangleSurface> && !nearby(scene.extents()[k])) continue;
-        add(kind_at<kind>, surfaces[k], k);
+        add(kind_at<kind>, surfaces[k].identity, k, meet(surfaces[k], ray.y<Number>(), ray.z<Number>()));
       }
     }
   });
@@ -280,9 +314,7 @@ Verdict verdict(const PlaneSurface<double>& plane, const Ray& ray, const Contact
   return {toward > -bound.approach, toward > bound.approach, {}, behind(bound.lowest_t), behind(bound.highest_t), 0, 0};
 }
 
-Verdict verdict(const TriangleSurface<double>& triangle, const Ray& ray, const Contact& contact,
-                const Rounding& rounding) {
-  const TriangleBound bound = error_bound(triangle, contact.margins, contact.t, ray, rounding);
+Verdict within(const TriangleBound& bound, const Contact& contact) {
   Verdict result{};
   bool may_be_positive = true, may_be_negative = true, may_vanish = true;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -295,6 +327,26 @@ Verdict verdict(const TriangleSurface<double>& triangle, const Ray& ray, const C
   result.certain = !may_vanish;
   result.lowest_behind = contact.behind - bound.below_t;
   result.highest_behind = contact.behind + bound.above_t;
+  return result;
+}
+
+/// By whichever of the instance's axes the datapath shears.
+Verdict verdict(const Facet& facet, const Ray& ray, const Contact& contact, const Rounding& rounding) {
+  if (facet.instance == nullptr) {
+    return within(error_bound(facet.triangle, contact.margins, contact.t, ray, rounding), contact);
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Verdict result{false, true, {}, infinity, -infinity, 0, 0};
+  for (const std::size_t axis : shear_axes(*facet.instance, ray, rounding)) {
+    const auto bound = error_bound(*facet.instance, facet.triangle, axis, contact.margins, contact.t, ray, rounding);
+    if (!bound) return {true, false, {true, true, true}, -infinity, infinity, 0, 0};
+    const Verdict one = within(*bound, contact);
+    result.possible |= one.possible;
+    result.certain &= one.certain;
+    for (std::size_t k = 0; k < 3; ++k) result.near_edge[k] |= one.near_edge[k];
+    result.lowest_behind = std::min(result.lowest_behind, one.lowest_behind);
+    result.highest_behind = std::max(result.highest_behind, one.highest_behind);
+  }
   return result;
 }
 
@@ -344,15 +396,29 @@ Verdict verdict(const TorusSurface<double>& torus, const Ray& ray, const Contact
   return {first.possible(), first.certain(), {}, behind(first.range().lowest), behind(first.range().highest), 0, 0};
 }
 
+template <class Surface>
+DistanceRange range_of(const PreparedScene<double>&, const Surface& surface, const Scaling& scaling,
+                       const Vector<double>& direction, double t, const RoundingUnits& units) {
+  return distance_range(surface.template mapped<double>(scaling), direction, t, units);
+}
+/// A mesh's own numbers are of the size that suits the format.
+DistanceRange range_of(const PreparedScene<double>& scene, const Facet& facet, const Scaling& scaling,
+                       const Vector<double>& direction, double t, const RoundingUnits& units) {
+  if (facet.instance == nullptr) return range_of(scene, facet.triangle, scaling, direction, t, units);
+  const InstancedTriangle<double> triangle(facet.instance->mapped<double>(scaling), scene.meshes[facet.instance->mesh],
+                                           facet.place);
+  return triangle.distance_range(direction, t, units);
+}
+
 /// The hit errs, and the datapath grants it as much again to either side: the range of twice the rounding.
 template <class Surface>
 Verdict with_range(Verdict verdict, const ExactScene& scene, const Surface& surface, const Ray& ray,
                    const Contact& contact, const Rounding& rounding) {
   const double factor = std::ldexp(1.0, rounding.exponent);
-  const Surface scaled = surface.template mapped<double>(Scaling{rounding.exponent});
   const RoundingUnits units{2 * rounding.relative, 2 * rounding.absolute, scene.place() * factor};
   const Vector<double> direction{1, ray.y<double>(), ray.z<double>()};
-  const DistanceRange range = distance_range(scaled, direction, contact.t * factor, units);
+  const DistanceRange range =
+      range_of(scene.prepared(), surface, Scaling{rounding.exponent}, direction, contact.t * factor, units);
   verdict.begins_behind = std::min(verdict.lowest_behind, contact.behind + (range.lowest / factor - contact.t));
   verdict.ends_behind = std::max(verdict.highest_behind, contact.behind + (range.highest / factor - contact.t));
   return verdict;
@@ -365,8 +431,8 @@ Verdict verdict(const ExactScene& scene, const Ray& ray, const Contact& contact,
     return with_range(verdict(surface, ray, contact, rounding), scene, surface, ray, contact, rounding);
   };
   return with_kind(contact.kind, [&](auto kind) {
-    if constexpr (kind == index_of_kind<InstanceSurface>) {
-      return Verdict{};  // there is none
+    if constexpr (kind == index_of_kind<TriangleSurface> || kind == index_of_kind<InstanceSurface>) {
+      return of(scene.facets()[contact.index]);
     } else {
       return of(scene.surfaces<kind>()[contact.index]);
     }

@@ -13,7 +13,7 @@ namespace pyrasim::silhouettes {
 /// How one ray meets, or misses, one surface.
 struct Contact {
   SurfaceKind kind;
-  std::uint32_t index;  ///< among the scene's surfaces of that kind
+  std::uint32_t index;  ///< among the scene's surfaces of that kind; triangles, of instances too, are facets
   SurfaceIdentity identity;
   bool hit;
   std::array<double, 3> margins;  ///< discriminant, centre along the ray | n . d | edge functions |
@@ -23,7 +23,7 @@ struct Contact {
   double behind;                  ///< t - that of the nearest hit
 };
 
-/// All spheres and planes, and the triangles near the ray: those that a datapath of `rounding` may hit at most.
+/// All surfaces, of facets those near the ray: those that a datapath of `rounding` may hit at most.
 /// Computed in `Number`: in Real all is exact; in double margins err as those of a datapath in double. The nearest hit
 /// comes first, if there is one: at equal distance, the first in the scene (decision D7).
 template <class Number>

@@ -130,24 +130,30 @@ class SphereSteps {
   Triple center_;
 };
 
-/// A triangle's vertices as the shear moves them, (a_y - y a_x, a_z - z a_x). They err by the rounding of coordinates,
-/// of the slope, of the product and of the difference. All triangles that share a vertex have it at one place.
+/// A triangle and a ray as the shear takes them, each number with its error; the axis that it shears along comes first.
+struct ShearedNumbers {
+  std::array<Triple, 3> vertices{}, errors{};  // [vertex][axis]
+  Triple direction{}, slope_errors{};          // (1, y, z)
+};
+
+/// A triangle's vertices as the shear moves them, (a_y - y a_x, a_z - z a_x). They err by what is known of coordinates
+/// and slope, and by the rounding of the product and of the difference. All triangles that share a vertex have it at
+/// one place.
 struct ShearedVertices {
   std::array<Triple, 3> size{}, error{};  // [vertex][axis]; axis 0 is not used
   bool beside = false;
 
-  ShearedVertices(const TriangleSurface<double>& triangle, const Ray& ray, const Rounding& rounding) {
-    const Triple d = direction(ray);
-    const Triple slopes = slope_errors(ray, rounding);
+  ShearedVertices(const ShearedNumbers& of, const Rounding& rounding) {
     for (std::size_t axis = 1; axis < 3; ++axis) {
       double lowest = infinity, highest = -infinity;
+      const double slope = std::abs(of.direction[axis]);
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto& a = triangle.vertices[k];
-        const double moved = a[axis] - d[axis] * a[0];
-        const double rounded = std::abs(a[axis]) + 2 * std::abs(d[axis] * a[0]) + std::abs(moved);
+        const auto& a = of.vertices[k];
+        const double moved = a[axis] - of.direction[axis] * a[0];
+        const double steps = rounding.relative * (slope * std::abs(a[0]) + std::abs(moved)) + rounding.lost(1);
         size[k][axis] = std::abs(moved);
-        error[k][axis] = second_order(rounding) * (rounding.relative * rounded + a[0] * slopes[axis] +
-                                                   (2 + std::abs(d[axis])) * rounding.lost(1));
+        error[k][axis] = second_order(rounding) * (of.errors[k][axis] + slope * of.errors[k][0] + steps +
+                                                   std::abs(a[0]) * of.slope_errors[axis]);
         lowest = std::min(lowest, moved - error[k][axis]);
         highest = std::max(highest, moved + error[k][axis]);
       }
@@ -349,31 +355,131 @@ FirstHitRange torus_bound(const TorusSurface<double>& torus, double least, const
   return bound;
 }
 
-TriangleBound error_bound(const TriangleSurface<double>& triangle, const std::array<double, 3>& edges, double t,
-                          const Ray& ray, const Rounding& rounding) {
-  const ShearedVertices sheared(triangle, ray, rounding);
+namespace {
+
+/// Of the edge functions, and of the depth along the shear's axis. `depth` is exact.
+TriangleBound sheared_bound(const ShearedNumbers& of, const std::array<double, 3>& edges, double depth,
+                            const Rounding& rounding) {
+  const ShearedVertices sheared(of, rounding);
   TriangleBound bound{};
   bound.beside = sheared.beside;
-  double determinant = 0, determinant_error = 0, weighted = 0;
-  double nearest = infinity, furthest = 0;
+  double determinant = 0, determinant_error = 0, weighted = 0, displaced = 0;
+  double lowest = infinity, highest = -infinity, furthest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double depth = triangle.vertices[k][0];
+    const double vertex = of.vertices[k][0];
     bound.edges[k] = sheared.edge_error((k + 1) % 3, (k + 2) % 3, rounding);
     determinant += edges[k];
     determinant_error += bound.edges[k];
-    weighted += bound.edges[k] * std::abs(depth - t);
-    nearest = std::min(nearest, depth);
-    furthest = std::max(furthest, depth);
+    weighted += bound.edges[k] * std::abs(vertex - depth);
+    displaced = std::max(displaced, of.errors[k][0]);
+    lowest = std::min(lowest, vertex);
+    highest = std::max(highest, vertex);
+    furthest = std::max(furthest, std::abs(vertex));
   }
-  // t is the mean of the vertices' depths weighted by the edge functions, which have the same sign where the triangle
+  // The depth is the mean of the vertices' weighted by the edge functions, which have the same sign where the triangle
   // counts as hit: whatever they are, it lies between these depths. The determinant is not 0 then. To that come the
   // errors of depths, products, sums and the quotient.
   const double left = std::max(std::abs(determinant) - determinant_error, 2 * rounding.lost(2));
-  const double own = second_order(rounding) * (7 * rounding.relative * furthest + 2 * rounding.lost(1)) +
+  const double own = second_order(rounding) * (6 * rounding.relative * furthest + displaced + rounding.lost(1)) +
                      (left > 0 ? 3 * rounding.lost(3) / left : 0);
   const double mean = std::abs(determinant) > determinant_error ? weighted / left : infinity;
-  bound.below_t = std::min(mean, t - nearest) + own;
-  bound.above_t = std::min(mean, furthest - t) + own;
+  bound.below_t = std::min(mean, depth - lowest) + own;
+  bound.above_t = std::min(mean, highest - depth) + own;
+  return bound;
+}
+
+}  // namespace
+
+TriangleBound error_bound(const TriangleSurface<double>& triangle, const std::array<double, 3>& edges, double t,
+                          const Ray& ray, const Rounding& rounding) {
+  ShearedNumbers numbers{triangle.vertices, {}, direction(ray), slope_errors(ray, rounding)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      numbers.errors[k][axis] = rounding.relative * std::abs(triangle.vertices[k][axis]) + rounding.lost(1);
+    }
+  }
+  return sheared_bound(numbers, edges, t, rounding);
+}
+
+namespace {
+
+/// The direction in the instance's coordinates: its rows, the products and two sums round, and the slopes err.
+struct InstanceDirection {
+  Triple value{}, error{};
+
+  InstanceDirection(const InstanceSurface<double>& instance, const Ray& ray, const Rounding& rounding) {
+    const Triple d = direction(ray);
+    const Triple slopes = slope_errors(ray, rounding);
+    for (std::size_t k = 0; k < 3; ++k) {
+      error[k] = 3 * rounding.absolute;
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double row = instance.rows[k][static_cast<int>(j)];
+        value[k] += row * d[j];
+        error[k] += 4 * rounding.relative * std::abs(row * d[j]) + rounding.absolute * std::abs(d[j]) +
+                    std::abs(row) * slopes[j];
+      }
+      error[k] *= second_order(rounding);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<std::size_t> shear_axes(const InstanceSurface<double>& instance, const Ray& ray, const Rounding& rounding) {
+  const InstanceDirection m(instance, ray, rounding);
+  std::vector<std::size_t> axes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    bool may_be = true;
+    for (std::size_t j = 0; j < 3; ++j) {
+      may_be = may_be && (j == k || std::abs(m.value[k]) + m.error[k] >= std::abs(m.value[j]) - m.error[j]);
+    }
+    if (may_be) axes.push_back(k);
+  }
+  return axes;
+}
+
+/// Vertices err by their own rounding in the mesh, by that of their product with the mesh's size, of the observer's
+/// place, and of the difference.
+std::optional<TriangleBound> error_bound(const InstanceSurface<double>& instance,
+                                         const TriangleSurface<double>& triangle, std::size_t axis,
+                                         const std::array<double, 3>& edges, double t, const Ray& ray,
+                                         const Rounding& rounding) {
+  const double u = rounding.relative;
+  const InstanceDirection m(instance, ray, rounding);
+  const double along = m.value[axis];
+  const bool scale_is_there = std::ldexp(instance.scale, rounding.exponent) >= 2 * rounding.absolute;
+  if (!scale_is_there || !(m.error[axis] < std::abs(along) / 2)) return std::nullopt;
+  const double left = std::abs(along) - m.error[axis];
+  ShearedNumbers numbers{};
+  std::array<double, 3> sheared_edges{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t from = (axis + i) % 3;
+    numbers.direction[i] = m.value[from] / along;
+    if (i > 0) {
+      const double slope = std::abs(numbers.direction[i]);
+      numbers.slope_errors[i] =
+          second_order(rounding) * ((m.error[from] + slope * m.error[axis]) / left + 2 * u * slope) +
+          rounding.absolute * (1 + std::abs(m.value[from]));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double vertex = triangle.vertices[k][from] * instance.scale;
+      const double place = instance.origin[static_cast<int>(from)];
+      numbers.vertices[k][i] = vertex - place;
+      numbers.errors[k][i] =
+          second_order(rounding) * (u * (std::abs(vertex) + std::abs(place) + std::abs(vertex - place)) +
+                                    rounding.lost(1) * (2 + instance.scale));
+    }
+    sheared_edges[i] = edges[i] / along;
+  }
+  TriangleBound bound = sheared_bound(numbers, sheared_edges, t * along, rounding);
+  // From the depth to t, by the rounded inverse of the component.
+  const double relative = m.error[axis] / left + 2 * u + rounding.absolute * std::abs(along);
+  if (along < 0) std::swap(bound.below_t, bound.above_t);
+  const double below = bound.below_t / std::abs(along);
+  const double above = bound.above_t / std::abs(along);
+  bound.below_t = below + relative * std::abs(t) + rounding.lost(1);
+  bound.above_t = above + relative * (std::abs(t) + above) + rounding.lost(1);
+  for (double& edge : bound.edges) edge *= std::abs(along);
   return bound;
 }
 

@@ -4,9 +4,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "ray.h"
 #include "rounding.h"
+#include "surface/instance.h"
 #include "surface/quadric_bounds.h"
 #include "surface/quadric_range.h"
 #include "surface/surface.h"
@@ -61,5 +65,15 @@ struct TriangleBound {
 /// `edges` and `t` are exact.
 TriangleBound error_bound(const TriangleSurface<double>& triangle, const std::array<double, 3>& edges, double t,
                           const Ray& ray, const Rounding& rounding);
+
+/// Of the same for a triangle of an instance, with the shear along the instance's axis `axis`; none where the datapath
+/// may make anything of it. `edges` are m . (q x p) for the vertices p and q in the instance's coordinates and the
+/// ray's direction m there.
+std::optional<TriangleBound> error_bound(const InstanceSurface<double>& instance,
+                                         const TriangleSurface<double>& triangle, std::size_t axis,
+                                         const std::array<double, 3>& edges, double t, const Ray& ray,
+                                         const Rounding& rounding);
+/// Along which of the instance's axes the datapath may shear a ray's direction there: its largest component is.
+std::vector<std::size_t> shear_axes(const InstanceSurface<double>& instance, const Ray& ray, const Rounding& rounding);
 
 }  // namespace pyrasim::silhouettes

@@ -13,7 +13,7 @@ Explanation::Explanation(const ExactScene& scene, const Ray& ray, const std::vec
     : scene_(scene), contacts_(contacts) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     verdicts_.push_back(verdict(scene, ray, contacts[k], rounding));
-    if (contacts[k].kind == kind_of<TriangleSurface>) triangles_.emplace(contacts[k].index, k);
+    if (contacts[k].kind == kind_of<TriangleSurface>) facets_.emplace(contacts[k].index, k);
   }
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     certain_.push_back(contacts[k].hit ? certain_hit(k) : std::nullopt);
@@ -36,12 +36,12 @@ std::optional<Explanation::Certain> Explanation::certain_hit(std::size_t contact
     furthest.ends = std::max(furthest.ends, verdicts_[here].ends_behind);
     for (std::size_t edge = 0; edge < 3; ++edge) {
       if (!verdicts_[here].near_edge[edge]) continue;
-      const auto [triangle, turned] = scene_.neighbor(contacts_[here].index, edge);
-      if (triangle < 0) return std::nullopt;  // the border
-      const auto index = static_cast<std::uint32_t>(triangle);
+      const auto [facet, turned] = scene_.neighbor(contacts_[here].index, edge);
+      if (facet < 0) return std::nullopt;  // the border
+      const auto index = static_cast<std::uint32_t>(facet);
       if (gathered.contains(index)) continue;
-      const auto there = triangles_.find(index);
-      if (there == triangles_.end()) continue;
+      const auto there = facets_.find(index);
+      if (there == facets_.end()) continue;
       const std::size_t next = there->second;
       if (!verdicts_[next].possible) continue;  // the ray may run through the edge's line only
       const bool faces_alike = (determinant(contacts_[here]) > 0) == (determinant(contacts_[next]) > 0);

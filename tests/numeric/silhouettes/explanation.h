@@ -38,8 +38,8 @@ class Explanation {
   const ExactScene& scene_;
   const std::vector<Contact>& contacts_;
   std::vector<Verdict> verdicts_;
-  std::unordered_map<std::uint32_t, std::size_t> triangles_;  ///< contacts by the triangle's index
-  std::vector<std::optional<Certain>> certain_;               ///< of each contact
+  std::unordered_map<std::uint32_t, std::size_t> facets_;  ///< contacts by the facet's index
+  std::vector<std::optional<Certain>> certain_;            ///< of each contact
 };
 
 /// The part of its rounding unit by which a datapath's seeing `object` is explained: 1 if it errs by as much as its

@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Silhouettes,
                          testing::Values(ShippedScene{"keel", 64, 48}, ShippedScene{"spheres", 64, 48},
                                          ShippedScene{"fins", 64, 48}, ShippedScene{"bunny", 24, 18},
                                          ShippedScene{"blocks", 64, 48}, ShippedScene{"quadrics", 64, 48},
-                                         ShippedScene{"tori", 64, 48}),
+                                         ShippedScene{"tori", 64, 48}, ShippedScene{"crystals", 64, 48}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 /// Spheres by the textbook's b^2 - 4ac, which cancels.

@@ -219,6 +219,29 @@ Case torus(Random& random, double reach) {
   return {scene, frame.point(middle + aside * (minor * part))};
 }
 
+/// A triangle's case, the triangle alone in a mesh of its own, stretched by up to 8 times as much one way as another,
+/// and turned.
+Case instance(Random& random, double reach) {
+  Scene scene = seen_from(random, reach);
+  Mesh mesh;
+  const glm::dvec3 beside = decimal(random.vector(-1, 1) * power(random, -3, 6));
+  for (int k = 0; k < 3; ++k) mesh.vertices.push_back(decimal(beside + random.vector(-1, 1)));
+  mesh.triangles = {{0, 1, 2}};
+  const auto of = std::make_shared<const InstancedMesh>(mesh);
+  const double distance = power(random, 0, 7);
+  const double size = distance * power(random, -4, 1);
+  const auto factor = [&] { return size * power(random, -3, 0) * (random.below(2) == 0 ? 1 : -1); };
+  const AffineMap stretched = AffineMap::scaling({factor(), factor(), factor()}).after(AffineMap::translation(-beside));
+  const AffineMap turned = AffineMap::rotation(random.unit_vector(), random.uniform(0, 360)).after(stretched);
+  const MeshInstance instance{of, AffineMap::translation(ahead(random, scene.camera, distance)).after(turned)};
+  scene.objects = {object(instance)};
+  const double part = random.uniform(0, 1);
+  const double other = random.uniform(0, 1 - part);
+  const auto& v = mesh.vertices;
+  const glm::dvec3 target = v[0] + (v[1] - v[0]) * part + (v[2] - v[0]) * other;
+  return {scene, ObserverFrame(scene.camera).point(rounded(instance.map.point(exactly(target))))};
+}
+
 struct Tightness {
   int hits = 0;
   int coarsely_known = 0;
@@ -283,6 +306,7 @@ TEST(DistanceRange, HoldsTheExactHitOfACylinder) { expect_ranges("cylinder", cyl
 TEST(DistanceRange, HoldsTheExactHitOfACone) { expect_ranges("cone", cone, false); }
 TEST(DistanceRange, HoldsTheExactHitOfAQuadric) { expect_ranges("quadric", quadric, false); }
 TEST(DistanceRange, HoldsTheExactHitOfATorus) { expect_ranges("torus", torus, false); }
+TEST(DistanceRange, HoldsTheExactHitOfAnInstance) { expect_ranges("instance", instance, false); }
 
 }  // namespace
 }  // namespace pyrasim
