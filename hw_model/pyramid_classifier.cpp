@@ -10,7 +10,8 @@ PyramidClassifier::PyramidClassifier(const sc_core::sc_module_name& name, const 
       max_level_(frame.options.max_level),
       window_(frame.window),
       columns_(static_cast<std::uint32_t>(window_.columns)),
-      line_buffer_(static_cast<std::size_t>(columns_) + 1) {}
+      line_buffer_(static_cast<std::size_t>(columns_) + 1),
+      maps_(frame.options.maps) {}
 
 PyramidClassifier::Plan PyramidClassifier::next(const Ends& ends, Cycle ready) const {
   Plan plan(ready);
@@ -112,6 +113,7 @@ void PyramidClassifier::emit(Ends& ends, const Node& node, Cycle now) {
   }
   if (node.subdivide) return;
   ++counts_.terminal_nodes;
+  if (maps_ != nullptr) maps_->add_terminal_node(node.tag.pixel, node.which, node.cell.log2_side);
   ends.color_unit.write_made(
       [&] {
         return TerminalMessage{node.cell, node.tag, node.corners, node.which};

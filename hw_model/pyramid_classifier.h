@@ -83,6 +83,7 @@ class PyramidClassifier final : public StageOf<PyramidClassifier> {
   SubdivisionSamples middle_;        ///< its samples so far
   std::size_t samples_ = 0;          ///< how many of them; 5 while the last subpixel waits
   FrameStatistics counts_;
+  CostMaps* maps_;  ///< or null
 };
 
 extern template class StageOf<PyramidClassifier>;

@@ -8,6 +8,7 @@
 #include "intersect/datapath_formats.h"
 #include "intersect/intersector.h"
 #include "pyramid/terminal_color.h"
+#include "render/cost_maps.h"
 #include "render/parallel.h"
 
 namespace pyrasim::hw {
@@ -26,6 +27,7 @@ struct SimulationOptions {
   std::shared_ptr<const Intersector> intersector;
   Cycle max_cycles = never;   ///< the machine stops once it cannot end within so many
   int threads = 1;            ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
+  CostMaps* maps = nullptr;   ///< of the window, to be filled; they outlive the machine
   bool check_machine = true;  ///< refuse a machine that cannot hold the frame; off only to see it deadlock
   Progress progress;
 };

@@ -7,7 +7,8 @@ TreeAccumulator::TreeAccumulator(const sc_core::sc_module_name& name, const Fram
     : StageOf(name),
       timing_(frame.spec.tree_accumulator),
       max_level_(frame.options.max_level),
-      slots_(frame.spec.pixels_in_flight) {}
+      slots_(frame.spec.pixels_in_flight),
+      maps_(frame.options.maps) {}
 
 bool TreeAccumulator::completes(const ColorMessage& node) const {
   return is_pixel(node) || slots_[node.tag.slot].completed_by(node.log2_side, max_level_);
@@ -43,6 +44,7 @@ void TreeAccumulator::finish(const PixelTag& tag, std::uint32_t deepest, const g
   const Cycle latency = now + timing_.latency - tag.admitted;
   latencies_[deepest].add(latency);
   slowest_.add({tag.pixel, deepest, latency});
+  if (maps_ != nullptr) maps_->set_latency(tag.pixel, latency);
   ends.frame_buffer.write_made([&] { return PixelMessage{tag.pixel, color}; }, now, timing_.latency);
   ends.pixel_scan.write({tag.slot}, now, timing_.latency);
 }

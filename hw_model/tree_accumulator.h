@@ -55,6 +55,7 @@ class TreeAccumulator final : public StageOf<TreeAccumulator> {
   std::vector<TraceTree> slots_;
   LatencyByLevel latencies_;
   SlowestPixels slowest_;
+  CostMaps* maps_;  ///< or null
 };
 
 extern template class StageOf<TreeAccumulator>;

@@ -8,14 +8,18 @@
 
 #include "cli/command.h"
 #include "cli/frame_table.h"
+#include "cli/map_outputs.h"
 #include "cli/output_plan.h"
 #include "cli/statistics_document.h"
+#include "error.h"
 #include "run/interrupt.h"
 
 namespace pyrasim::cli {
 namespace {
 
 struct RenderCommand {
+  static constexpr std::size_t map_kinds = 2;  // without a machine no latency
+
   FrameOptions frame;
   ImageOutput image;
   std::string method = "pyramid";
@@ -23,20 +27,30 @@ struct RenderCommand {
   std::uint64_t seed = 1;
   int threads = 0;
   std::string stats;
+  std::vector<std::string> maps;
 
   void run() const {
     const Scene scene = frame.load();
     Method chosen = parse_method(method);
-    chosen.pyramids = {parse_max_level(frame.max_level, scene.camera.screen), frame.edge, reuse, threads};
+    chosen.pyramids = {.max_level = parse_max_level(frame.max_level, scene.camera.screen),
+                       .edge = frame.edge,
+                       .reuse = reuse,
+                       .threads = threads};
     chosen.sampling.seed = seed;
     const DatapathFormats formats = frame.formats(scene.camera.screen, chosen.grid_steps());
     OutputPlan plan;
     plan.reads("SCENE", scene.files);
     plan.writes("-o", image.file);
     plan.writes("--stats", stats);
+    MapOutputs pictures_of_cost(maps, map_kinds, plan);
+    if (!maps.empty() && !chosen.pyramid) {
+      throw UsageError(fmt::format("--map: maps are of pixel pyramids, and --method {} has none", chosen.name()));
+    }
     PictureOutput picture(image);
+    pictures_of_cost.open();
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
+    chosen.pyramids.maps = pictures_of_cost.begin(scene.camera.rendered(), chosen.pyramids.max_level);
     Rendering rendering;
     double done = 0;
     const Progress progress = [&done, bar = progress_bar("rendering")](double share) {
@@ -49,6 +63,7 @@ struct RenderCommand {
     if (statistics) statistics->write(text_of(render_document(frame.scene, scene.camera, chosen, formats, rendering)));
     if (!plan.writes_anything())
       plan.table() << rendering_table(frame.scene, scene.camera, chosen, rendering.statistics);
+    pictures_of_cost.write(plan.table());
   }
 };
 
@@ -74,6 +89,7 @@ void add_render_command(const Command& program) {
   command.add_integer("--threads", options->threads, 0, 1024, "0: one for each core; results do not depend on it")
       .show_default();
   command.add_text("--stats", options->stats, "statistics as JSON; - for stdout").type_name("FILE|-");
+  add_map_option(command, options->maps, RenderCommand::map_kinds);
 }
 
 }  // namespace pyrasim::cli

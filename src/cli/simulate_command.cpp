@@ -8,6 +8,7 @@
 #include "cli/asked_run.h"
 #include "cli/command.h"
 #include "cli/machine_options.h"
+#include "cli/map_outputs.h"
 #include "cli/output_plan.h"
 #include "cli/revisable_output.h"
 #include "cli/statistics_document.h"
@@ -26,6 +27,7 @@ struct SimulateCommand {
   int threads = 0;
   std::string stats;
   std::string trace;
+  std::vector<std::string> maps;
   bool explain = false;
 
   void run() const {
@@ -37,13 +39,18 @@ struct SimulateCommand {
     plan.writes("-o", image.file);
     plan.writes("--stats", stats);
     plan.writes("--trace", trace, ".vcd");
+    MapOutputs pictures_of_cost(maps, cost_map_names.size(), plan);
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
     std::optional<RevisableOutput> vcd;
     if (!trace.empty()) vcd.emplace(trace);
+    pictures_of_cost.open();
 
-    Simulation simulation(asked, *scene, {.threads = thread_count(threads), .progress = progress_bar("simulating")});
+    Simulation simulation(asked, *scene,
+                          {.threads = thread_count(threads),
+                           .progress = progress_bar("simulating"),
+                           .maps = pictures_of_cost.begin(asked.rendered(), asked.max_level)});
     const hw::Processor& processor = simulation.processor();
     std::optional<hw::VcdTrace> vcd_trace;
     if (vcd) vcd_trace.emplace(simulation.processor(), vcd->file());
@@ -63,6 +70,7 @@ struct SimulateCommand {
     if (statistics) statistics->write(text_of(simulation_document(asked, outcome)));
     plan.table() << simulation_table(asked, outcome);
     if (explain) plan.table() << parts_table(outcome);
+    pictures_of_cost.write(plan.table());
   }
 };
 
@@ -88,6 +96,7 @@ void add_simulate_command(const Command& program) {
   command.add_text("--stats", options->stats, "statistics as JSON; - for stdout").type_name("FILE|-");
   command.add_text("--trace", options->trace, "states of units and fill of FIFOs over time; - for stdout")
       .type_name("FILE.vcd|-");
+  add_map_option(command, options->maps, cost_map_names.size());
   command.add_flag("--explain", options->explain, "what of the machine was built, why, and what it costs");
 }
 

@@ -36,13 +36,13 @@ std::uint64_t physical_memory() {
   return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-void check_picture_fits(const PixelWindow& window, std::uint64_t memory) {
-  const std::uint64_t needed = 2 * bytes_of(window);
+void check_picture_fits(const PixelWindow& window, std::uint64_t memory, std::uint64_t maps) {
+  const std::uint64_t needed = 2 * bytes_of(window) + maps;
   if (needed <= memory) return;
   throw LimitError(
-      fmt::format("a picture of {}x{} pixels takes {:.1f} GiB of memory, and this machine has {:.1f} GiB; render and "
+      fmt::format("a picture of {}x{} pixels{} takes {:.1f} GiB of memory, and this machine has {:.1f} GiB; render and "
                   "simulate make a part of the picture with --window X,Y,COLUMNS,ROWS",
-                  window.columns, window.rows, gib(needed), gib(memory)));
+                  window.columns, window.rows, maps > 0 ? " with its maps" : "", gib(needed), gib(memory)));
 }
 
 void check_pictures_fit(const std::vector<PixelWindow>& pictures, const std::vector<PixelWindow>& references,

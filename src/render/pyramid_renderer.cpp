@@ -141,7 +141,7 @@ class BandWorker {
     const PyramidCase which = classify(corners);
     statistics_.count(which, 0);
     if (!subdivides(which, pixel_)) {
-      ++statistics_.terminal_nodes;
+      count_terminal_node(which, pixel_.log2_side);
       return single_node_result(frame_.palette.terminal_color(which, corners, frame_.options.edge));
     }
     interior_.clear();
@@ -169,8 +169,19 @@ class BandWorker {
       pixel_subdivision(subpixel, corners, tree);
       return;
     }
-    ++statistics_.terminal_nodes;
+    count_terminal_node(which, subpixel.log2_side);
     tree.add_terminal_node(subpixel.log2_side, frame_.palette.terminal_color(which, corners, frame_.options.edge));
+  }
+
+  void count_terminal_node(PyramidCase which, std::uint32_t log2_side) {
+    ++statistics_.terminal_nodes;
+    if (frame_.options.maps == nullptr) return;
+    const auto row = static_cast<int>(pixel_.corner.row >> max_level_) - frame_.window.row;
+    const auto column = static_cast<int>(pixel_.corner.column >> max_level_) - frame_.window.column;
+    frame_.options.maps->add_terminal_node(
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(frame_.window.columns) +
+            static_cast<std::size_t>(column),
+        which, log2_side);
   }
 
   /// The sample at one of the five points of a subdivision into subpixels of `level`: traced, or taken from an earlier

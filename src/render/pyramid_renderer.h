@@ -5,6 +5,7 @@
 #include "image/image.h"
 #include "intersect/scene_intersector.h"
 #include "pyramid/terminal_color.h"
+#include "render/cost_maps.h"
 #include "render/frame_statistics.h"
 #include "render/parallel.h"
 
@@ -23,6 +24,7 @@ struct PyramidOptions {
   Reuse reuse = Reuse::none;
   int threads = 0;                 ///< 0: one for each core. Results do not depend on it
   NumberFormat view_vectors = {};  ///< the format of view vectors
+  CostMaps* maps = nullptr;        ///< of the window, to be filled; they outlive the rendering
 };
 
 struct Rendering {

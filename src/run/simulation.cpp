@@ -26,6 +26,7 @@ hw::SimulationOptions options_of(const Run& run, const HostOptions& host,
   options.max_cycles = run.max_cycles;
   options.threads = host.threads;
   options.progress = host.progress;
+  options.maps = host.maps;
   return options;
 }
 

@@ -18,6 +18,7 @@ struct HostOptions {
   std::shared_ptr<const Intersector> intersector = {};  ///< of the scene in the run's format; none: it is made
   int threads = 1;                                      ///< from 2 on, one traces ahead for the machine
   Progress progress = {};
+  CostMaps* maps = nullptr;  ///< of what the run renders, to be filled
 };
 
 /// A run in this process, in which there can be one: SystemC elaborates once a process. Throws as hw::Processor does.
