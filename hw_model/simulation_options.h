@@ -21,6 +21,7 @@ enum class Engine : std::uint8_t {
 struct SimulationOptions {
   int max_level = 3;
   EdgePolicy edge = EdgePolicy::mean;
+  TextureFilter texture = TextureFilter::integral;
   Engine engine = Engine::decoupled;
   DatapathFormats formats;
   /// Of the scene in formats.intersection; none: the machine makes its own.

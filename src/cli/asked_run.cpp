@@ -17,6 +17,7 @@ AskedRun asked_run(const FrameOptions& frame, const MachineOptions& machine) {
   run.max_cycles = machine.max_cycles;
   run.max_level = parse_max_level(frame.max_level, run.screen);
   run.edge = frame.edge;
+  run.texture = frame.texture;
   check_addressable(run.screen, run.max_level);
   check_picture_fits(run.rendered());
   run.formats = frame.formats(run.screen, std::int64_t{1} << run.max_level);

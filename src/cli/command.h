@@ -43,6 +43,7 @@ struct FrameOptions {
   std::optional<std::string> window;  ///< "X,Y,COLUMNS,ROWS" of the screen
   std::string max_level = "3";        ///< a number or "auto"
   EdgePolicy edge = EdgePolicy::mean;
+  TextureFilter texture = TextureFilter::integral;
   std::string scalar = "double";
 
   /// Reads the scene, on the screen and window asked for; its warnings go to stderr.
@@ -60,6 +61,7 @@ void add_scalar_option(const Command& command, std::string& scalar);
 void add_window_option(const Command& command, FrameOptions& options);
 void add_max_level_option(const Command& command, std::string& max_level);
 void add_edge_option(const Command& command, EdgePolicy& edge);
+void add_texture_option(const Command& command, TextureFilter& filter);
 
 /// What the loader has to remark on a scene, on stderr, a line each.
 void print_warnings(const Scene& scene);

@@ -54,6 +54,12 @@ void add_edge_option(const Command& command, EdgePolicy& edge) {
                                  "an edge at the deepest level: mean of its corners, or drop (background)");
 }
 
+void add_texture_option(const Command& command, TextureFilter& filter) {
+  command.add_choice<TextureFilter>("--texture", filter,
+                                    {{"integral", TextureFilter::integral}, {"point", TextureFilter::point}},
+                                    "what a pyramid takes of a texture: its mean over what it covers, or its corners'");
+}
+
 void add_scalar_option(const Command& command, std::string& scalar) {
   command
       .add_text("--scalar", scalar,

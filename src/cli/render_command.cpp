@@ -35,7 +35,8 @@ struct RenderCommand {
     chosen.pyramids = {.max_level = parse_max_level(frame.max_level, scene.camera.screen),
                        .edge = frame.edge,
                        .reuse = reuse,
-                       .threads = threads};
+                       .threads = threads,
+                       .texture = frame.texture};
     chosen.sampling.seed = seed;
     const DatapathFormats formats = frame.formats(scene.camera.screen, chosen.grid_steps());
     OutputPlan plan;
@@ -75,6 +76,7 @@ void add_render_command(const Command& program) {
       "render", "Render a frame without timing, by pyramids or by a peer; without -o and --stats, print its counts.",
       [options] { options->run(); });
   add_frame_options(command, options->frame);
+  add_texture_option(command, options->frame.texture);
   add_window_option(command, options->frame);
   add_scalar_option(command, options->frame.scalar);
   options->image.add(command);

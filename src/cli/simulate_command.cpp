@@ -81,6 +81,7 @@ void add_simulate_command(const Command& program) {
   const Command command =
       program.add_command("simulate", "Simulate a frame on a machine, cycle by cycle.", [options] { options->run(); });
   add_frame_options(command, options->frame);
+  add_texture_option(command, options->frame.texture);
   add_window_option(command, options->frame);
   add_scalar_option(command, options->frame.scalar);
   options->image.add(command);

@@ -13,10 +13,18 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json head(const std::string& scene, const Screen& screen, const std::optional<PixelWindow>& window,
-                  const std::string& method, int max_level, const DatapathFormats& formats, EdgePolicy edge) {
-  ordered_json document{{"pyrasim", version()},     {"command", command_line()}, {"scene", scene},
-                        {"method", method},         {"max_level", max_level},    {"edge", name_of(edge)},
-                        {"scalar", formats.name()}, {"columns", screen.columns}, {"rows", screen.rows}};
+                  const std::string& method, int max_level, const DatapathFormats& formats, EdgePolicy edge,
+                  TextureFilter texture) {
+  ordered_json document{{"pyrasim", version()},
+                        {"command", command_line()},
+                        {"scene", scene},
+                        {"method", method},
+                        {"max_level", max_level},
+                        {"edge", name_of(edge)},
+                        {"texture", name_of(texture)},
+                        {"scalar", formats.name()},
+                        {"columns", screen.columns},
+                        {"rows", screen.rows}};
   if (window) {
     document["window"] = {
         {"x", window->column}, {"y", window->row}, {"columns", window->columns}, {"rows", window->rows}};
@@ -180,8 +188,8 @@ ordered_json render_document(const std::string& scene, const Camera& camera, con
                              const DatapathFormats& formats, const Rendering& rendering) {
   const int max_level = method.pyramid ? method.pyramids.max_level : 0;
   const FrameStatistics& statistics = rendering.statistics;
-  ordered_json document =
-      head(scene, camera.screen, camera.window, method.name(), max_level, formats, method.pyramids.edge);
+  ordered_json document = head(scene, camera.screen, camera.window, method.name(), max_level, formats,
+                               method.pyramids.edge, method.pyramids.texture);
   add_counts(document, statistics, max_level);
   add_events(document, statistics.arithmetic, formats);
   const std::uint64_t none = statistics.primary_rays() + subdivision_rays * statistics.subdivisions;
@@ -192,7 +200,8 @@ ordered_json render_document(const std::string& scene, const Camera& camera, con
 }
 
 ordered_json simulation_document(const Run& run, const Outcome& outcome) {
-  ordered_json document = head(run.scene.name, run.screen, run.window, "pyramid", run.max_level, run.formats, run.edge);
+  ordered_json document =
+      head(run.scene.name, run.screen, run.window, "pyramid", run.max_level, run.formats, run.edge, run.texture);
   document["engine"] = name_of(run.engine);
   add_counts(document, outcome.counts, run.max_level);
   add_events(document, outcome.counts.arithmetic, run.formats);

@@ -33,6 +33,11 @@ struct Cell {
 /// In grid steps.
 constexpr std::uint32_t side(const Cell& cell) { return 1U << cell.log2_side; }
 
+/// The grid address of corner `corner`.
+constexpr GridPoint corner_of(const Cell& cell, std::size_t corner) {
+  return {cell.corner.row + (corner >= 2 ? side(cell) : 0), cell.corner.column + (corner % 2 == 1 ? side(cell) : 0)};
+}
+
 /// L: the side is 2^-L of the pixel's. For reports; what works on a cell needs its side.
 constexpr std::uint32_t level_of(std::uint32_t log2_side, int max_level) {
   return static_cast<std::uint32_t>(max_level) - log2_side;

@@ -62,7 +62,7 @@ class RowWorker {
       for (std::uint32_t j = 0; j < grid; ++j) {
         const GridPoint point = sample_point(row * grid + i, column * grid + j);
         const Sample sample = sample_at(frame_.intersector, frame_.view_vectors, point, work_, arithmetic_);
-        const FixedColor color = frame_.palette.sample_color(sample);
+        const FixedColor color = frame_.palette.sample_color(sample, point);
         for (std::size_t k = 0; k < 3; ++k) sum[k] += std::ldexp(static_cast<double>(color[k]), -fixed_color_bits);
       }
     }
@@ -98,7 +98,7 @@ Rendering render_baseline(const Scene& scene, const AnyIntersector& intersector,
   SamplingFrame<AnyIntersector> frame{
       .intersector = intersector,
       .options = options,
-      .palette = Palette(scene),
+      .palette = Palette(scene, baseline_steps(options)),
       .cell_steps = cell_steps(options),
       .view_vectors = ViewVectors(scene.camera.screen, baseline_steps(options), options.view_vectors),
       .window = window,

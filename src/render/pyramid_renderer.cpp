@@ -142,7 +142,7 @@ class BandWorker {
     statistics_.count(which, 0);
     if (!subdivides(which, pixel_)) {
       count_terminal_node(which, pixel_.log2_side);
-      return single_node_result(frame_.palette.terminal_color(which, corners, frame_.options.edge));
+      return single_node_result(frame_.palette.terminal_color(which, corners, frame_.options.edge, pixel_));
     }
     interior_.clear();
     TraceTree tree;
@@ -170,7 +170,8 @@ class BandWorker {
       return;
     }
     count_terminal_node(which, subpixel.log2_side);
-    tree.add_terminal_node(subpixel.log2_side, frame_.palette.terminal_color(which, corners, frame_.options.edge));
+    tree.add_terminal_node(subpixel.log2_side,
+                           frame_.palette.terminal_color(which, corners, frame_.options.edge, subpixel));
   }
 
   void count_terminal_node(PyramidCase which, std::uint32_t log2_side) {
@@ -230,7 +231,7 @@ Rendering render_pyramids(const Scene& scene, const AnyIntersector& intersector,
   Frame<AnyIntersector> frame{
       .intersector = intersector,
       .options = options,
-      .palette = Palette(scene),
+      .palette = Palette(scene, std::int64_t{1} << options.max_level, options.texture),
       .view_vectors = ViewVectors(screen, std::int64_t{1} << options.max_level, options.view_vectors),
       .window = window,
       .image = Image(window.columns, window.rows),

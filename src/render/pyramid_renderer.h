@@ -24,7 +24,8 @@ struct PyramidOptions {
   Reuse reuse = Reuse::none;
   int threads = 0;                 ///< 0: one for each core. Results do not depend on it
   NumberFormat view_vectors = {};  ///< the format of view vectors
-  CostMaps* maps = nullptr;        ///< of the window, to be filled; they outlive the rendering
+  TextureFilter texture = TextureFilter::integral;
+  CostMaps* maps = nullptr;  ///< of the window, to be filled; they outlive the rendering
 };
 
 struct Rendering {

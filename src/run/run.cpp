@@ -43,6 +43,7 @@ json canonical_json(const Run& run) {
       {"method", "pyramid"},
       {"max_level", run.max_level},
       {"edge", name_of(run.edge)},
+      {"texture", name_of(run.texture)},
       {"scalar",
        {{"view_vectors", run.formats.view_vectors.name()}, {"intersection", run.formats.intersection.name()}}},
       {"machine", json(hw::settings_document(run.machine))},
@@ -61,6 +62,8 @@ double frames_per_second(const Run& run, hw::Cycle cycles) {
 }
 
 std::string_view name_of(EdgePolicy edge) { return edge == EdgePolicy::mean ? "mean" : "drop"; }
+
+std::string_view name_of(TextureFilter filter) { return filter == TextureFilter::integral ? "integral" : "point"; }
 
 std::string_view name_of(hw::Engine engine) { return engine == hw::Engine::decoupled ? "decoupled" : "lockstep"; }
 

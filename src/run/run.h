@@ -33,6 +33,7 @@ struct Run {
   std::optional<PixelWindow> window;
   int max_level = 3;
   EdgePolicy edge = EdgePolicy::mean;
+  TextureFilter texture = TextureFilter::integral;
   DatapathFormats formats;
   hw::MachineSpec machine;
   hw::Engine engine = hw::Engine::decoupled;
@@ -53,7 +54,8 @@ std::optional<std::string> run_key(const Run& run);
 /// Of a frame that takes so many cycles, at the machine's clock.
 double frames_per_second(const Run& run, hw::Cycle cycles);
 
-std::string_view name_of(EdgePolicy edge);    ///< "mean", "drop"
-std::string_view name_of(hw::Engine engine);  ///< "decoupled", "lockstep"
+std::string_view name_of(EdgePolicy edge);       ///< "mean", "drop"
+std::string_view name_of(TextureFilter filter);  ///< "integral", "point"
+std::string_view name_of(hw::Engine engine);     ///< "decoupled", "lockstep"
 
 }  // namespace pyrasim

@@ -20,6 +20,7 @@ hw::SimulationOptions options_of(const Run& run, const HostOptions& host,
   hw::SimulationOptions options;
   options.max_level = run.max_level;
   options.edge = run.edge;
+  options.texture = run.texture;
   options.engine = run.engine;
   options.formats = run.formats;
   options.intersector = intersector;

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "scene/read_texture.h"
 #include "scene/read_transform.h"
 #include "surface/transformed.h"
 #include "text/printable.h"
@@ -81,6 +82,16 @@ class Shapes {
     if (!shape.map) return *shape.surface;
     return mapped_at(reader.find("transform").value_or(reader),
                      [&] { return transformed(*shape.surface, *shape.map); });
+  }
+
+  /// A texture on a surface as it was written. Throws InputError.
+  static std::shared_ptr<const ObjectTexture> textured(const Shape& shape, const JsonReader& texture) {
+    const bool mesh =
+        std::holds_alternative<Mesh>(*shape.surface) || std::holds_alternative<MeshInstance>(*shape.surface);
+    if (mesh)
+      texture.fail("a mesh has no coordinates that a texture could be laid out by", "other surfaces may have textures");
+    return std::make_shared<const ObjectTexture>(
+        ObjectTexture{read_texture(texture), shape.surface, shape.map.value_or(AffineMap())});
   }
 
  private:
@@ -167,13 +178,17 @@ std::vector<Object> read_objects(const JsonReader& scene, const SceneReading& re
   Shapes shapes(scene, reading);
   SurfaceNumbers numbers;
   std::vector<Object> objects;
-  const Keys keys{"name", "type", "color", "shadow", "transform"};
+  const Keys keys{"name", "type", "color", "shadow", "transform", "texture"};
   const JsonElements elements = scene.member("objects").elements();
   objects.reserve(elements.size());
   for (const JsonReader& reader : elements) {
     const Shape shape = shapes.read(reader, keys);
-    objects.push_back({reader.optional_string("name").value_or(""), reader.member("color").vec3(color_components),
-                       Shapes::place(shape, reader), reader.optional_boolean("shadow").value_or(true)});
+    const auto texture = reader.find("texture");
+    const auto color = texture ? reader.optional_vec3("color", color_components).value_or(glm::dvec3(1))
+                               : reader.member("color").vec3(color_components);
+    objects.push_back({reader.optional_string("name").value_or(""), color, Shapes::place(shape, reader),
+                       reader.optional_boolean("shadow").value_or(true)});
+    if (texture) objects.back().texture = Shapes::textured(shape, *texture);
     numbers.count(objects.back().surface, reader);
   }
   return objects;

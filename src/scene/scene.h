@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "shading/color.h"
 #include "shading/light.h"
 #include "surface/list.h"
+#include "texture/object_texture.h"
 
 namespace pyrasim {
 
@@ -27,6 +29,7 @@ struct Object {
   glm::dvec3 color;  ///< linear RGB
   SceneSurface surface;
   bool casts_shadow = true;
+  std::shared_ptr<const ObjectTexture> texture{};  ///< multiplies the colour; none: it is plain
 };
 
 struct Scene {

@@ -41,6 +41,8 @@ class AffineMap {
   /// Of a plane's normal: by the inverse matrix, transposed.
   QuadrupleVector normal(const QuadrupleVector& n) const;
   const QuadrupleVector& offset() const { return offset_; }
+  /// Rows of the inverse matrix.
+  const QuadrupleMatrix& inverse() const { return inverse_; }
 
   /// How many times as long lengths become, where that is the same in all directions to what rounding the matrix to
   /// double may leave.

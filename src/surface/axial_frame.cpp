@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "numeric/vectors.h"
 
@@ -75,6 +77,25 @@ QuadricShape<double, 2> cut_off(const QuadricFrame& frame, const AxisSegment& ax
                       preparation.frame.direction(rounded(frame.axes[1])) * radius,
                       preparation.frame.direction(along) * (length / 2)}};
   return shape;
+}
+
+SurfaceCoordinates AxisSegment::coordinates(const glm::dvec3& point, double base_radius, double cap_radius) const {
+  SurfaceCoordinates skin = about_axis(cap - base, base, point);
+  const double height = glm::distance(base, cap);
+  const glm::dvec3 along = (cap - base) / height;
+  const glm::dvec3 from = point - base;
+  const double from_axis = glm::length(from - along * glm::dot(along, from));
+  const double radius = base_radius + (cap_radius - base_radius) * (skin.v / height);
+  // How far the point lies from skin and ends: it is on what it is nearest to.
+  const double slope = (cap_radius - base_radius) / height;
+  const double from_skin = std::abs(from_axis - radius) / std::sqrt(1 + slope * slope);
+  for (const bool at_cap : {false, true}) {
+    if (std::abs(skin.v - (at_cap ? height : 0)) >= from_skin) continue;
+    SurfaceCoordinates end = on_plane(along, at_cap ? cap : base, point);
+    end.chart = at_cap ? 2 : 1;
+    return end;
+  }
+  return skin;
 }
 
 }  // namespace pyrasim

@@ -5,6 +5,7 @@
 #include "surface/framed_quadric.h"
 #include "surface/quadric_frame.h"
 #include "surface/reading.h"
+#include "surface/surface_coordinates.h"
 
 namespace pyrasim {
 
@@ -18,6 +19,9 @@ struct AxisSegment {
   Quadruple length() const;
   /// Throws MapError.
   AxisSegment transformed(const AffineMap& map) const;
+  /// On a surface round about it, `base_radius` wide at the base and `cap_radius` at the cap: those of about_axis() on
+  /// its skin, on its ends those of a plane from the axis on.
+  SurfaceCoordinates coordinates(const glm::dvec3& point, double base_radius, double cap_radius) const;
 };
 
 /// About the middle of the axis, its third one along it; scales, signs and what follows are the caller's.

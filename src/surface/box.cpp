@@ -2,6 +2,7 @@
 #include "surface/box.h"
 
 #include <cmath>
+#include <limits>
 
 #include "numeric/vectors.h"
 #include "surface/error_bounds.h"
@@ -144,6 +145,31 @@ DistanceRange distance_range(const BoxSurface<double>& box, const Vector<double>
   const double margin = 4 * rounding.relative * size + 2 * rounding.absolute + rounding.written(size);
   return within_bounds({std::min(t, hit.lowest), std::max(t, hit.highest)}, all.lower.x - margin, all.upper.x + margin,
                        direction);
+}
+
+/// A chart for each face, of the two axes along it: z and y, x and z, x and y; from the lower corner on. A point lies
+/// on the face that it is nearest to.
+SurfaceCoordinates Box::coordinates(const glm::dvec3& point) const {
+  int face = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {0, 1}) {
+      const double away = std::abs(point[axis] - (side == 0 ? min : max)[axis]);
+      if (away < nearest) {
+        nearest = away;
+        face = 2 * axis + side;
+      }
+    }
+  }
+  const glm::dvec3 from = point - min;
+  switch (face / 2) {
+    case 0:
+      return {.u = from.z, .v = from.y, .chart = face};
+    case 1:
+      return {.u = from.x, .v = from.z, .chart = face};
+    default:
+      return {.u = from.x, .v = from.y, .chart = face};
+  }
 }
 
 }  // namespace pyrasim

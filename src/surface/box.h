@@ -12,6 +12,7 @@
 #include "surface/preparation.h"
 #include "surface/reading.h"
 #include "surface/surface.h"
+#include "surface/surface_coordinates.h"
 #include "surface/view_ray.h"
 
 namespace pyrasim {
@@ -95,6 +96,7 @@ struct Box {
   static Box read(const JsonReader& reader, const SceneReading& reading);
   Prepared<BoxSurface> prepared(const Preparation& preparation) const;
   std::variant<Box, Parallelepiped> transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -6,6 +6,7 @@
 
 #include "surface/axial_frame.h"
 #include "surface/quadric_bounds.h"
+#include "surface/surface_coordinates.h"
 
 namespace pyrasim {
 
@@ -28,6 +29,7 @@ struct Cone {
   static Cone read(const JsonReader& reader, const SceneReading& reading);
   Prepared<ConeSurface> prepared(const Preparation& preparation) const;
   std::variant<Cone, FramedQuadric> transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

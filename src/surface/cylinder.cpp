@@ -38,4 +38,9 @@ void Cylinder::write_pov(PovWriter& pov) const {
   pov.end();
 }
 
+/// Ends have charts of their own, of lengths from the axis on.
+SurfaceCoordinates Cylinder::coordinates(const glm::dvec3& point) const {
+  return axis.coordinates(point, radius, radius);
+}
+
 }  // namespace pyrasim

@@ -6,6 +6,7 @@
 
 #include "surface/axial_frame.h"
 #include "surface/quadric_bounds.h"
+#include "surface/surface_coordinates.h"
 
 namespace pyrasim {
 
@@ -27,6 +28,7 @@ struct Cylinder {
   static Cylinder read(const JsonReader& reader, const SceneReading& reading);
   Prepared<CylinderSurface> prepared(const Preparation& preparation) const;
   std::variant<Cylinder, FramedQuadric> transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -11,6 +11,7 @@
 #include "surface/preparation.h"
 #include "surface/reading.h"
 #include "surface/surface.h"
+#include "surface/surface_coordinates.h"
 #include "surface/view_ray.h"
 
 namespace pyrasim {
@@ -67,6 +68,7 @@ struct Disc {
   Prepared<DiscSurface> prepared(const Preparation& preparation) const;
   /// By a similarity: else it would be an ellipse.
   Disc transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

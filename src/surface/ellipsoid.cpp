@@ -82,4 +82,7 @@ void Ellipsoid::write_pov(PovWriter& pov) const {
   pov.end();
 }
 
+/// Those of the unit sphere that it is mapped from.
+SurfaceCoordinates Ellipsoid::coordinates(const glm::dvec3& point) const { return on_sphere((point - center) / radii); }
+
 }  // namespace pyrasim

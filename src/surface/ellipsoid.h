@@ -8,6 +8,7 @@
 #include "surface/preparation.h"
 #include "surface/quadric_bounds.h"
 #include "surface/reading.h"
+#include "surface/surface_coordinates.h"
 
 namespace pyrasim {
 
@@ -30,6 +31,7 @@ struct Ellipsoid {
   static Ellipsoid read(const JsonReader& reader, const SceneReading& reading);
   Prepared<EllipsoidSurface> prepared(const Preparation& preparation) const;
   Ellipsoid transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 
   QuadrupleMatrix axes() const { return turned ? *turned : QuadrupleMatrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }

@@ -67,4 +67,7 @@ DistanceRange distance_range(const PlaneSurface<double>& plane, const Vector<dou
   return {std::min(t, range.lowest), std::max(t, range.highest)};
 }
 
+/// From the point nearest to the origin on.
+SurfaceCoordinates Plane::coordinates(const glm::dvec3& point) const { return on_plane(normal, glm::dvec3(0), point); }
+
 }  // namespace pyrasim

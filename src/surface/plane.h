@@ -13,6 +13,7 @@
 #include "surface/preparation.h"
 #include "surface/reading.h"
 #include "surface/surface.h"
+#include "surface/surface_coordinates.h"
 #include "surface/view_ray.h"
 
 namespace pyrasim {
@@ -71,6 +72,7 @@ struct Plane {
   static Plane read(const JsonReader& reader, const SceneReading& reading);
   Prepared<PlaneSurface> prepared(const Preparation& preparation) const;
   Plane transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

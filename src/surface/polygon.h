@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/degenerate.h"
+#include "surface/surface_coordinates.h"
 #include "surface/triangle.h"
 
 namespace pyrasim {
@@ -20,6 +21,7 @@ struct Polygon {
 
   static Polygon read(const JsonReader& reader, const SceneReading& reading);
   Polygon transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 
   /// Calls add(prepared triangle) for each.

@@ -150,4 +150,9 @@ void Quadric::write_pov(PovWriter& pov) const {
   pov.end();
 }
 
+/// About the y axis; closed ends too.
+SurfaceCoordinates Quadric::coordinates(const glm::dvec3& point) const {
+  return about_axis({0, 1, 0}, glm::dvec3(0), point);
+}
+
 }  // namespace pyrasim

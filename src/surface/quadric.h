@@ -7,6 +7,7 @@
 #include "surface/preparation.h"
 #include "surface/quadric_bounds.h"
 #include "surface/reading.h"
+#include "surface/surface_coordinates.h"
 
 namespace pyrasim {
 
@@ -40,6 +41,7 @@ struct Quadric {
   static Quadric read(const JsonReader& reader, const SceneReading& reading);
   Prepared<QuadricSurface> prepared(const Preparation& preparation) const;
   FramedQuadric transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

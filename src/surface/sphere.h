@@ -12,6 +12,7 @@
 #include "surface/preparation.h"
 #include "surface/reading.h"
 #include "surface/surface.h"
+#include "surface/surface_coordinates.h"
 #include "surface/view_ray.h"
 
 namespace pyrasim {
@@ -66,6 +67,7 @@ struct Sphere {
   static Sphere read(const JsonReader& reader, const SceneReading& reading);
   Prepared<SphereSurface> prepared(const Preparation& preparation) const;
   std::variant<Sphere, Ellipsoid> transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

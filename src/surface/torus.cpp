@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "numeric/quadruple.h"
@@ -174,6 +175,17 @@ DistanceRange distance_range(const TorusSurface<double>& torus, const Vector<dou
   const BoundingBox box = *bounds(torus);
   const double margin = 4 * rounding.relative * reach(torus) + 2 * rounding.absolute + rounding.written(reach(torus));
   return within_bounds(range, box.lower.x - margin, box.upper.x + margin, direction);
+}
+
+/// v: the angle about the middle of the tube, in turns; 0 on the outer side, and growing along the axis.
+SurfaceCoordinates Torus::coordinates(const glm::dvec3& point) const {
+  SurfaceCoordinates result = about_axis(axis, center, point);
+  const glm::dvec3 along = normalized(axis);
+  const glm::dvec3 from = point - center;
+  const double outward = length(from - along * dot(along, from)) - major_radius;
+  result.v = std::atan2(result.v, outward) / (2 * std::numbers::pi);
+  result.v_turns = true;
+  return result;
 }
 
 }  // namespace pyrasim

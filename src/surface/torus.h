@@ -12,6 +12,7 @@
 #include "surface/quadric_range.h"
 #include "surface/reading.h"
 #include "surface/surface.h"
+#include "surface/surface_coordinates.h"
 #include "surface/torus_along_ray.h"
 
 namespace pyrasim {
@@ -75,6 +76,7 @@ struct Torus {
   Prepared<TorusSurface> prepared(const Preparation& preparation) const;
   /// By a similarity: else it would be no torus.
   Torus transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

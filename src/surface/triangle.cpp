@@ -187,4 +187,9 @@ DistanceRange distance_range(const TriangleSurface<double>& surface, const Vecto
                        std::max({a[0], b[0], c[0]}) + margin, direction);
 }
 
+SurfaceCoordinates Triangle::coordinates(const glm::dvec3& point) const {
+  const auto& [a, b, c] = vertices;
+  return on_plane(cross(b - a, c - a), a, point);
+}
+
 }  // namespace pyrasim

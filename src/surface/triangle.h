@@ -19,6 +19,7 @@
 #include "surface/preparation.h"
 #include "surface/reading.h"
 #include "surface/surface.h"
+#include "surface/surface_coordinates.h"
 #include "surface/view_ray.h"
 
 namespace pyrasim {
@@ -104,6 +105,7 @@ struct Triangle {
   static Triangle read(const JsonReader& reader, const SceneReading& reading);
   Prepared<TriangleSurface> prepared(const Preparation& preparation) const;
   Triangle transformed(const AffineMap& map) const;
+  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

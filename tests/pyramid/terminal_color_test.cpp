@@ -13,11 +13,11 @@ namespace {
 Palette palette() {
   Scene scene = empty_scene(1, 1, 1);
   scene.objects = {object(Sphere{{5, 0, 0}, 1}, {1, 0.5, 0}), object(Sphere{{9, 0, 0}, 1}, {0, 0.25, 0.75})};
-  return Palette(scene);
+  return {scene, 1};
 }
 
 glm::vec3 edge_color(const CornerSamples& corners, EdgePolicy edge) {
-  return single_node_result(palette().terminal_color(classify(corners), corners, edge));
+  return single_node_result(palette().terminal_color(classify(corners), corners, edge, {}));
 }
 
 constexpr Sample nothing{};
@@ -56,9 +56,9 @@ TEST(TerminalColor, EdgeDoesNotDependOnTheOrderOfCorners) {
 }
 
 TEST(SampleColor, IsTheColorTimesTheShading) {
-  EXPECT_EQ(single_node_result(palette().sample_color({{1}, 0.5})), glm::vec3(0, 0.125, 0.375));
-  EXPECT_EQ(single_node_result(palette().sample_color({{1}, 0.5}, 2)), glm::vec3(0, 0.0625, 0.1875));
-  EXPECT_EQ(single_node_result(palette().sample_color(nothing)), glm::vec3(0.125, 0.25, 0.5));
+  EXPECT_EQ(single_node_result(palette().sample_color({{1}, 0.5}, {})), glm::vec3(0, 0.125, 0.375));
+  EXPECT_EQ(single_node_result(palette().sample_color({{1}, 0.5}, {}, 2)), glm::vec3(0, 0.0625, 0.1875));
+  EXPECT_EQ(single_node_result(palette().sample_color(nothing, {})), glm::vec3(0.125, 0.25, 0.5));
 }
 
 }  // namespace
