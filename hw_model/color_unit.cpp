@@ -1,25 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hw_model/color_unit.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace pyrasim::hw {
 
 ColorUnit::ColorUnit(const sc_core::sc_module_name& name, const FrameSetup& frame)
     : StageOf(name),
       timing_(frame.spec.color_unit),
       palette_(frame.scene, std::int64_t{1} << frame.options.max_level, frame.options.texture),
-      edge_policy_(frame.options.edge) {}
+      edge_policy_(frame.options.edge),
+      texture_cost_(frame.spec.texture_cost),
+      textured_objects_(static_cast<std::size_t>(
+          std::count_if(frame.scene.objects.begin(), frame.scene.objects.end(),
+                        [](const Object& object) { return object.texture != nullptr; }))) {}
+
+std::vector<StagePart> ColorUnit::parts() const {
+  const std::size_t objects = textured_objects_;
+  const Need need = objects == 0
+                        ? Need{false, "the scene has no textures"}
+                        : Need{true, fmt::format("{} object{} of the scene {} a texture", objects,
+                                                 objects == 1 ? "" : "s", objects == 1 ? "has" : "have")};
+  return {{"texture", need, cost_of(work_, texture_cost_)}};
+}
 
 Cycle ColorUnit::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();
   const TerminalMessage& node = ends.pyramid_classifier.front();
+  TextureWork work;
+  const FixedColor color = palette_.terminal_color(node.which, node.corners, edge_policy_, node.cell, work);
+  const Cycle cost = cost_of(work, texture_cost_);
+  work_ += work;
   ends.tree_accumulator.write_made(
       [&] {
-        return ColorMessage{palette_.terminal_color(node.which, node.corners, edge_policy_, node.cell), node.tag,
-                            node.cell.log2_side};
+        return ColorMessage{color, node.tag, node.cell.log2_side};
       },
-      now, timing_.latency);
+      now, cost + timing_.latency);
   ends.pyramid_classifier.pop(now);
-  return timing_.interval;
+  return timing_.interval + cost;
 }
 
 template class StageOf<ColorUnit>;

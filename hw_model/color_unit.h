@@ -6,19 +6,24 @@
 #include "hw_model/fifo/fifo_writer.h"
 #include "hw_model/message.h"
 #include "hw_model/plan/frame_setup.h"
+#include "hw_model/plan/tester_parts.h"
 #include "hw_model/stage/stage_of.h"
 
 namespace pyrasim::hw {
 
 /// Turns terminal nodes into colours (decisions D2 and D6): the classifier says what a node's corners see, the colour
 /// unit what that looks like. Every node passes through it, in order: a way around it for nodes that need less would
-/// make the accumulator choose by what arrives first.
+/// make the accumulator choose by what arrives first. Its texture part is there
+/// where an object has a texture; a node that needs it takes longer.
 class ColorUnit final : public StageOf<ColorUnit> {
  public:
   FifoPort<TerminalMessage> pyramid_classifier{"pyramid_classifier"};
   FifoPort<ColorMessage> tree_accumulator{"tree_accumulator"};
 
   ColorUnit(const sc_core::sc_module_name& name, const FrameSetup& frame);
+
+  const TextureWork& work() const { return work_; }
+  std::vector<StagePart> parts() const;
 
  private:
   friend StageOf;
@@ -38,6 +43,9 @@ class ColorUnit final : public StageOf<ColorUnit> {
   StageTiming timing_;
   Palette palette_;
   EdgePolicy edge_policy_;
+  TextureCost texture_cost_;
+  std::size_t textured_objects_ = 0;
+  TextureWork work_;
 };
 
 extern template class StageOf<ColorUnit>;

@@ -47,6 +47,8 @@ void for_each_setting(Spec& spec, const Visit& visit) {
   stage("subdivision_controller", spec.subdivision_controller);
   visit("subdivision_controller.pool", spec.subdivision_pool, IntegerRange{0, 1'000'000});
   stage("color_unit", spec.color_unit);
+  visit("color_unit.cost.place", spec.texture_cost.place, cost);
+  visit("color_unit.cost.line", spec.texture_cost.line, cost);
   stage("tree_accumulator", spec.tree_accumulator);
   visit("tree_accumulator.pixels", spec.pixels_in_flight, IntegerRange{1, 1'000'000});
   visit("frame_buffer.interval", spec.frame_buffer_interval, cycles);

@@ -15,6 +15,7 @@
 
 #include "hw_model/cycle.h"
 #include "intersect/work.h"
+#include "texture/texture_work.h"
 
 namespace pyrasim::hw {
 
@@ -56,6 +57,16 @@ struct ShadowTiming {
   Cycle ray = 1;
   friend bool operator==(const ShadowTiming&, const ShadowTiming&) = default;
 };
+
+/// Of the colour unit's texture part, in cycles beside its interval.
+struct TextureCost {
+  Cycle place = 2;  ///< for each ray whose place on the texture is worked out
+  Cycle line = 1;   ///< for each step of a pattern's integral
+  friend bool operator==(const TextureCost&, const TextureCost&) = default;
+};
+inline Cycle cost_of(const TextureWork& work, const TextureCost& cost) {
+  return cost.place * work.places + cost.line * work.lines;
+}
 
 /// Which intersection unit gets the next ray.
 enum class Dispatch : std::uint8_t {
@@ -100,6 +111,7 @@ struct MachineSpec {
   StageTiming subdivision_controller{.latency = 2};
   std::size_t subdivision_pool = 64;  ///< subpixels that the controller can hold for subdivision
   StageTiming color_unit;
+  TextureCost texture_cost;
   StageTiming tree_accumulator{.latency = 2};
   std::size_t pixels_in_flight = 256;  ///< trace trees that the accumulator can sum at once
   Cycle frame_buffer_interval = 1;

@@ -169,6 +169,7 @@ FrameStatistics Processor::statistics() const {
   FrameStatistics statistics = the<PyramidClassifier>().counts();
   statistics.rays_by_level = the<ViewVectorGenerator>().rays_by_level();
   statistics.lights_with_shadows = contents_.lights_with_shadows;
+  statistics.texture = the<ColorUnit>().work();
   statistics.arithmetic.view_vectors = the<ViewVectorGenerator>().events();
   for (const auto& unit : all<IntersectionUnit>()) {
     statistics.work += unit->work();

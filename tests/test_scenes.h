@@ -178,4 +178,21 @@ inline Scene under_lights(Scene scene, std::mt19937_64& random) {
   return scene;
 }
 
+/// Half of the objects with a pattern.
+inline Scene with_textures(Scene scene, std::mt19937_64& random) {
+  const auto color = [&] { return random_vector(random, {0, 0, 0}, {1, 1, 1}); };
+  const auto number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  for (Object& object : scene.objects) {
+    if (random() % 2 == 0) continue;
+    const Texture texture{.pattern = random() % 2 == 0 ? Pattern::checker : Pattern::stripes,
+                          .colors = {color(), color()},
+                          .scale = {number(0.05, 1), number(0.05, 1)},
+                          .shift = {number(-1, 1), number(-1, 1)},
+                          .turn = number(0, 360)};
+    object.texture = std::make_shared<const ObjectTexture>(
+        ObjectTexture{texture, std::make_shared<const SceneSurface>(object.surface), AffineMap()});
+  }
+  return scene;
+}
+
 }  // namespace pyrasim

@@ -36,7 +36,7 @@ glm::dvec3 Palette::light_of(const Sample& sample) const {
   return lights_ ? sample.shading.light() : glm::dvec3(sample.shading.factor());
 }
 
-FixedColor Palette::lit(const CornerSamples& corners, const Cell& cell) const {
+FixedColor Palette::lit(const CornerSamples& corners, const Cell& cell, TextureWork& work) const {
   const glm::dvec3 light =
       ((light_of(corners[0]) + light_of(corners[3])) + (light_of(corners[1]) + light_of(corners[2]))) / 4.0;
   const std::uint32_t object = corners[0].seen.object;
@@ -44,15 +44,15 @@ FixedColor Palette::lit(const CornerSamples& corners, const Cell& cell) const {
   if (textures_ && textured_[object]) {
     std::array<glm::dvec3, 4> rays{};
     for (std::size_t k = 0; k < rays.size(); ++k) rays[k] = view_vectors_(corner_of(cell, k));
-    color *= textured_[object]->color_over(rays, filter_);
+    color *= textured_[object]->color_over(rays, filter_, work);
   }
   return fixed(reflected(color, light), 1, 4);
 }
 
-FixedColor Palette::lit(const Sample& sample, GridPoint point, std::int64_t quarters) const {
+FixedColor Palette::lit(const Sample& sample, GridPoint point, TextureWork& work, std::int64_t quarters) const {
   glm::dvec3 color = colors_[sample.seen.object];
   if (textures_ && textured_[sample.seen.object]) {
-    color *= textured_[sample.seen.object]->color_at(view_vectors_(point));
+    color *= textured_[sample.seen.object]->color_at(view_vectors_(point), work);
   }
   return fixed(reflected(color, light_of(sample)), 1, quarters);
 }

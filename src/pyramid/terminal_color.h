@@ -36,11 +36,12 @@ class Palette {
   /// The integral colour over the pyramid on `cell` (decision D6): for case 2 the object's colour, and the mean of its
   /// texture over the footprint, times the mean shading of the four corners, for case 1 the background, for case 3 at
   /// MAX_LEVEL as `edge` says. Corners that face each other are summed first: the mean of a mirrored or transposed
-  /// pixel is the same, bit for bit.
-  FixedColor terminal_color(PyramidCase which, const CornerSamples& corners, EdgePolicy edge, const Cell& cell) const {
+  /// pixel is the same, bit for bit. Adds what textures take.
+  FixedColor terminal_color(PyramidCase which, const CornerSamples& corners, EdgePolicy edge, const Cell& cell,
+                            TextureWork& work) const {
     if (which == PyramidCase::covered) {
       if (lights_ || textures_) [[unlikely]]
-        return lit(corners, cell);
+        return lit(corners, cell, work);
       const double shading = ((corners[0].shading.factor() + corners[3].shading.factor()) +
                               (corners[1].shading.factor() + corners[2].shading.factor())) /
                              4;
@@ -49,25 +50,25 @@ class Palette {
     if (which == PyramidCase::empty || edge == EdgePolicy::drop) return background_;
     FixedColor sum{};
     for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-      const FixedColor part = sample_color(corners[corner], corner_of(cell, corner), 1);
+      const FixedColor part = sample_color(corners[corner], corner_of(cell, corner), work, 1);
       for (std::size_t k = 0; k < 3; ++k) sum[k] += part[k];
     }
     return sum;
   }
 
   /// The colour of one sample, of the ray through `point`, times `quarters` / 4.
-  FixedColor sample_color(const Sample& sample, GridPoint point, std::int64_t quarters = 4) const {
+  FixedColor sample_color(const Sample& sample, GridPoint point, TextureWork& work, std::int64_t quarters = 4) const {
     if (sample.seen.object == no_object) return fixed(background_color_, 1, quarters);
     if (lights_ || textures_) [[unlikely]]
-      return lit(sample, point, quarters);
+      return lit(sample, point, work, quarters);
     return fixed(colors_[sample.seen.object], sample.shading.factor(), quarters);
   }
 
  private:
   /// The same under a list of lights, or of scenes with textures; apart, so that the others stay short.
-  FixedColor lit(const CornerSamples& corners, const Cell& cell) const;
+  FixedColor lit(const CornerSamples& corners, const Cell& cell, TextureWork& work) const;
   glm::dvec3 light_of(const Sample& sample) const;
-  FixedColor lit(const Sample& sample, GridPoint point, std::int64_t quarters) const;
+  FixedColor lit(const Sample& sample, GridPoint point, TextureWork& work, std::int64_t quarters) const;
 
   /// color * shading, rounded to a multiple of 2^-48, times quarters / 4.
   static FixedColor fixed(const glm::dvec3& color, double shading, std::int64_t quarters) {

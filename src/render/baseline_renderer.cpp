@@ -30,6 +30,7 @@ struct SamplingFrame {
   Image image;
   std::mutex totals;
   Work work;
+  TextureWork texture;
   DatapathEvents arithmetic;
 };
 
@@ -42,6 +43,7 @@ class RowWorker {
   ~RowWorker() {
     const std::scoped_lock lock(frame_.totals);
     frame_.work += work_;
+    frame_.texture += texture_;
     frame_.arithmetic += arithmetic_;
   }
 
@@ -62,7 +64,7 @@ class RowWorker {
       for (std::uint32_t j = 0; j < grid; ++j) {
         const GridPoint point = sample_point(row * grid + i, column * grid + j);
         const Sample sample = sample_at(frame_.intersector, frame_.view_vectors, point, work_, arithmetic_);
-        const FixedColor color = frame_.palette.sample_color(sample, point);
+        const FixedColor color = frame_.palette.sample_color(sample, point, texture_);
         for (std::size_t k = 0; k < 3; ++k) sum[k] += std::ldexp(static_cast<double>(color[k]), -fixed_color_bits);
       }
     }
@@ -82,6 +84,7 @@ class RowWorker {
 
   SamplingFrame<AnyIntersector>& frame_;
   Work work_;
+  TextureWork texture_;
   DatapathEvents arithmetic_;
 };
 
@@ -105,6 +108,7 @@ Rendering render_baseline(const Scene& scene, const AnyIntersector& intersector,
       .image = Image(window.columns, window.rows),
       .totals = {},
       .work = {},
+      .texture = {},
       .arithmetic = {}};
   run_tasks<RowWorker<AnyIntersector>>(window.rows, thread_count(options.threads), progress, frame);
   Rendering rendering{std::move(frame.image), {}};
@@ -113,6 +117,7 @@ Rendering render_baseline(const Scene& scene, const AnyIntersector& intersector,
       static_cast<std::uint64_t>(options.grid) * static_cast<std::uint64_t>(options.grid);
   rendering.statistics.lights_with_shadows = intersector.contents().lights_with_shadows;
   rendering.statistics.work = frame.work;
+  rendering.statistics.texture = frame.texture;
   rendering.statistics.arithmetic = frame.arithmetic;
   return rendering;
 }

@@ -8,6 +8,7 @@
 #include "intersect/datapath_formats.h"
 #include "intersect/work.h"
 #include "pyramid/classifier.h"
+#include "texture/texture_work.h"
 
 namespace pyrasim {
 
@@ -24,6 +25,7 @@ struct FrameStatistics {
   std::uint64_t repeated_between_pixels = 0;
   std::uint64_t lights_with_shadows = 0;  ///< of the scene, whatever of it the frame sees
   Work work;
+  TextureWork texture;
   DatapathEvents arithmetic;  ///< of software number formats; double and float count nothing
 
   std::uint64_t primary_rays() const { return rays_by_level[0]; }
@@ -47,6 +49,7 @@ struct FrameStatistics {
     repeated_between_pixels += other.repeated_between_pixels;
     lights_with_shadows = std::max(lights_with_shadows, other.lights_with_shadows);  // parts show one scene
     work += other.work;
+    texture += other.texture;
     arithmetic += other.arithmetic;
     return *this;
   }

@@ -45,6 +45,12 @@ void for_each_field(Self& its, const auto& visit) {
   visit("shadow", its.shadow);
 }
 
+template <MaybeConst<TextureWork> Self>
+void for_each_field(Self& its, const auto& visit) {
+  visit("places", its.places);
+  visit("lines", its.lines);
+}
+
 template <MaybeConst<FrameStatistics> Self>
 void for_each_field(Self& its, const auto& visit) {
   visit("rays_by_level", its.rays_by_level);
@@ -55,6 +61,7 @@ void for_each_field(Self& its, const auto& visit) {
   visit("repeated_between_pixels", its.repeated_between_pixels);
   visit("lights_with_shadows", its.lights_with_shadows);
   visit("work", its.work);
+  visit("texture", its.texture);
   visit("arithmetic", its.arithmetic);
 }
 

@@ -100,29 +100,27 @@ double mean_of(const Footprint& footprint, const Mean& mean, const Point& point)
 
 }  // namespace
 
-double mean_of_stripes(const Footprint& footprint) {
+PatternMean mean_of_stripes(const Footprint& footprint) {
   const Moved moved(footprint);
-  if (lines_of_v(exchanged(moved.footprint)) == 0) return square_wave(footprint[0].u);
-  return moved.sign_of_u * mean_of(moved.footprint, mean_of_simple_stripes,
-                                   [](const TexturePoint& point) { return square_wave(point.u); });
-}
-
-double lines_crossed(const Footprint& footprint) {
-  return std::min(lines_of_v(footprint), lines_of_v(exchanged(footprint)));
+  if (lines_of_v(exchanged(moved.footprint)) == 0) return {square_wave(footprint[0].u)};
+  return {moved.sign_of_u * mean_of(moved.footprint, mean_of_simple_stripes,
+                                    [](const TexturePoint& point) { return square_wave(point.u); })};
 }
 
 /// Steps over the lines of v, or of u where these are fewer; but where it lies between two lines of u, over the others.
-double mean_of_checker(const Footprint& footprint) {
+PatternMean mean_of_checker(const Footprint& footprint) {
   const Moved moved(footprint);
   const double of_v = lines_of_v(moved.footprint);
   const double of_u = lines_of_v(exchanged(moved.footprint));
-  if (of_u == 0 && of_v == 0) return square_wave(footprint[0].u) * square_wave(footprint[0].v);
+  if (of_u == 0 && of_v == 0) return {square_wave(footprint[0].u) * square_wave(footprint[0].v)};
   const bool exchange = of_u == 0 || (of_v > 0 && of_u < of_v);
   const Footprint near = exchange ? exchanged(moved.footprint) : moved.footprint;
-  if (!(lines_of_v(near) <= most_lines)) return 0;
-  return moved.sign_of_u * moved.sign_of_v * mean_of(near, mean_of_simple_checker, [](const TexturePoint& point) {
-           return square_wave(point.u) * square_wave(point.v);
-         });
+  const double lines = exchange ? of_u : of_v;
+  if (!(lines <= most_lines)) return {0};
+  return {moved.sign_of_u * moved.sign_of_v *
+              mean_of(near, mean_of_simple_checker,
+                      [](const TexturePoint& point) { return square_wave(point.u) * square_wave(point.v); }),
+          static_cast<std::uint64_t>(lines)};
 }
 
 }  // namespace pyrasim

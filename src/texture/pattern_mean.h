@@ -6,18 +6,22 @@
 // stripes take one step a side, checkers one for each line v = whole number that it crosses.
 #pragma once
 
+#include <cstdint>
+
 #include "texture/footprint.h"
 
 namespace pyrasim {
 
-/// The mean of square_wave(u) over the footprint: 1 where it lies on even stripes alone, -1 on odd ones.
-double mean_of_stripes(const Footprint& footprint);
+struct PatternMean {
+  double mean;             ///< from 1, the pattern's first colour alone, to -1, its second
+  std::uint64_t lines = 0;  ///< that the footprint's sides crossed, each a step
+};
 
-/// The mean of square_wave(u) square_wave(v). A footprint of which each side crosses more than 2^22 lines has mean 0:
-/// the exact one is as near, but for slivers that run along a diagonal.
-double mean_of_checker(const Footprint& footprint);
+/// Of square_wave(u).
+PatternMean mean_of_stripes(const Footprint& footprint);
 
-/// The number of lines that the sides of the footprint cross, as mean_of_checker() steps over them.
-double lines_crossed(const Footprint& footprint);
+/// Of square_wave(u) square_wave(v). A footprint whose sides cross more than 2^24 lines has mean 0: the exact one is as
+/// near, but for slivers that run along a diagonal.
+PatternMean mean_of_checker(const Footprint& footprint);
 
 }  // namespace pyrasim

@@ -31,8 +31,10 @@ glm::dvec3 Texture::at(const TexturePoint& place) const {
   return mixed(colors, square_wave(place.u) * along_v);
 }
 
-glm::dvec3 Texture::mean(const Footprint& footprint) const {
-  return mixed(colors, pattern == Pattern::checker ? mean_of_checker(footprint) : mean_of_stripes(footprint));
+glm::dvec3 Texture::mean(const Footprint& footprint, TextureWork& work) const {
+  const auto [mean, lines] = pattern == Pattern::checker ? mean_of_checker(footprint) : mean_of_stripes(footprint);
+  work.lines += lines;
+  return mixed(colors, mean);
 }
 
 }  // namespace pyrasim

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "texture/footprint.h"
+#include "texture/texture_work.h"
 
 namespace pyrasim {
 
@@ -27,8 +28,8 @@ struct Texture {
   TexturePoint cell(double u, double v) const;
   /// At a place in cells.
   glm::dvec3 at(const TexturePoint& place) const;
-  /// The mean over a footprint in cells, exactly (pattern_mean.h).
-  glm::dvec3 mean(const Footprint& footprint) const;
+  /// The mean over a footprint in cells, exactly (pattern_mean.h); adds the steps that it took.
+  glm::dvec3 mean(const Footprint& footprint, TextureWork& work) const;
   /// Over all of it.
   glm::dvec3 mean() const { return (colors[0] + colors[1]) * 0.5; }
 };

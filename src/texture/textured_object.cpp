@@ -56,9 +56,14 @@ glm::dvec3 TexturedObject::color_of(const std::optional<SurfaceCoordinates>& pla
   return texture_.texture.at(texture_.texture.cell(place->u, place->v));
 }
 
-glm::dvec3 TexturedObject::color_at(const glm::dvec3& view_vector) const { return color_of(coordinates(view_vector)); }
+glm::dvec3 TexturedObject::color_at(const glm::dvec3& view_vector, TextureWork& work) const {
+  ++work.places;
+  return color_of(coordinates(view_vector));
+}
 
-glm::dvec3 TexturedObject::color_over(const std::array<glm::dvec3, 4>& corners, TextureFilter filter) const {
+glm::dvec3 TexturedObject::color_over(const std::array<glm::dvec3, 4>& corners, TextureFilter filter,
+                                      TextureWork& work) const {
+  work.places += corners.size();
   std::array<std::optional<SurfaceCoordinates>, 4> places;
   std::transform(corners.begin(), corners.end(), places.begin(), [&](const glm::dvec3& v) { return coordinates(v); });
   const bool whole = std::all_of(places.begin(), places.end(),
@@ -74,7 +79,7 @@ glm::dvec3 TexturedObject::color_over(const std::array<glm::dvec3, 4>& corners, 
     if (v_turns) v += std::round(places[0]->v - v);
     footprint[k] = texture_.texture.cell(u, v);
   }
-  return texture_.texture.mean(footprint);
+  return texture_.texture.mean(footprint, work);
 }
 
 }  // namespace pyrasim

@@ -20,14 +20,14 @@ class TexturedObject {
   TexturedObject& operator=(const TexturedObject&) = delete;
 
   /// The texture's colour where a view vector of the scene's camera meets the object; its mean where that, in double,
-  /// passes it by.
-  glm::dvec3 color_at(const glm::dvec3& view_vector) const;
+  /// passes it by. Adds the work.
+  glm::dvec3 color_at(const glm::dvec3& view_vector, TextureWork& work) const;
   /// The mean over what a pyramid covers of it. `corners`: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
   ///
   /// The footprint is the quadrilateral between the four places in the surface's coordinates: what a pyramid covers of
   /// a plane, and an approximation on curved surfaces. Corners on different charts, or one that passes the object by,
   /// leave none: then the mean of what the corners see counts.
-  glm::dvec3 color_over(const std::array<glm::dvec3, 4>& corners, TextureFilter filter) const;
+  glm::dvec3 color_over(const std::array<glm::dvec3, 4>& corners, TextureFilter filter, TextureWork& work) const;
 
  private:
   std::optional<SurfaceCoordinates> coordinates(const glm::dvec3& view_vector) const;

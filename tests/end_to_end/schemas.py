@@ -60,6 +60,21 @@ class Schemas(tool.EndToEnd):
             (["lights", 0, "color"], [1, 1]), (["lights", 0, "falloff"], "none"), (["lights", 1, "shadow"], True),
             (["lights", 2, "falloff"], "cubic"), (["lights", 2, "intensity"], -1), (["objects", 0, "shadow"], 1)])
 
+    def test_textures(self):
+        validator = schema("scene")
+        scene = tool.scene()
+        texture = {"type": "checker", "colors": [[1, 1, 1], [0, 0, 0]], "scale": [2, 0.5], "shift": [0, -1], "turn": 30}
+        scene["objects"].append({"type": "disc", "center": [5, 0, 0], "normal": [1, 0, 0], "radius": 1, "texture": texture})
+        self.ok("check", self.write("textures.json", scene))
+        last = len(scene["objects"]) - 1
+        changes = [(["objects", last, "texture", *path], value) for path, value in (
+            (["type"], "dots"), (["colors"], [[1, 1, 1]]), (["colors"], None), (["scale"], [0, 1]), (["scale"], 2),
+            (["shift"], [1]), (["turn"], "30"), (["file"], "x.png"))]
+        changes += [(["objects", last, "texture"], None)]
+        self.assert_refused(validator, scene, changes)
+        for path, value in changes:
+            self.refused(tool.INPUT, "check", self.write("wrong.json", changed(scene, path, value)), says="wrong.json: /")
+
     def test_transforms(self):
         """The schema and the program are of one mind."""
         validator = schema("scene")
@@ -112,7 +127,7 @@ class Schemas(tool.EndToEnd):
                 yield path, node
 
         found = list(settings(document, []))
-        self.assertEqual(len(found), 48)
+        self.assertEqual(len(found), 50)
         for path, node in found:
             def file_with(value, path=path):
                 nested = value

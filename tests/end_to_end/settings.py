@@ -27,6 +27,10 @@ SCENE = tool.scene(
 SHADOWED = SCENE | {"lights": [{"type": "directional", "direction": [1, -1, 1], "color": [1, 1, 1]},
                                {"type": "point", "position": [0, 6, 0], "color": [1, 1, 1]}]}
 
+# For the texture part of the colour unit.
+TEXTURED = SCENE | {"objects": [thing | {"texture": {"type": "checker", "colors": [[1, 1, 1], [0, 0, 0]]}}
+                                if thing["type"] == "plane" else thing for thing in SCENE["objects"]]}
+
 # What a setting needs beside it to matter.
 BESIDE = {"intersection.issue_order_queue": ['intersection.dispatch="first_free"'],
           "fifos.tree_accumulator_to_frame_buffer": ["frame_buffer.interval=20"]}
@@ -66,7 +70,7 @@ class Settings(tool.EndToEnd):
     def report(self, path, value):
         """Without what only repeats the setting."""
         sets = [word for setting in (*BESIDE.get(path, []), f"{path}={value}") for word in ("--set", setting)]
-        scene = SHADOWED if "shadow_unit" in path else SCENE
+        scene = SHADOWED if "shadow_unit" in path else TEXTURED if path.startswith("color_unit.cost") else SCENE
         document = self.stats("simulate", self.write("scene.json", scene), "--max-level", 3, *sets)
         del document["command"]
         del document["machine"]["settings"]

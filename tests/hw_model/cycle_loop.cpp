@@ -77,6 +77,7 @@ struct Board {
   std::unique_ptr<Intersector> intersector;
   bool has_controller;
   bool has_shadow_units;
+  Palette palette;
   bool has_issue_order_queue = spec.dispatch == Dispatch::first_free && spec.intersection_units > 1;
 
   Fifo<CornerRequest> corners{spec.fifos.pixel_scan_to_view_vector_generator, spec.pixel_scan.latency};
@@ -356,15 +357,19 @@ struct SubdivisionController final : Box {
   }
 };
 
-/// What the colour is does not matter to the dates.
+/// What the colour is does not matter to the dates, but what its texture takes does.
 struct ColorUnit final : Box {
   using Box::Box;
 
   Cycle fire(Cycle now) override {
     if (!board.terminals.readable(now) || !board.colors.has_room()) return 0;
     const TerminalMessage node = board.terminals.read(now);
-    board.colors.write(now, {{}, node.tag, node.cell.log2_side});
-    return board.spec.color_unit.interval;
+    TextureWork work;
+    board.palette.terminal_color(node.which, node.corners, EdgePolicy::mean, node.cell, work);
+    const auto& [place, line] = board.spec.texture_cost;
+    const Cycle cost = place * work.places + line * work.lines;
+    board.colors.write(now, {{}, node.tag, node.cell.log2_side}, cost);
+    return board.spec.color_unit.interval + cost;
   }
 };
 
@@ -447,7 +452,8 @@ Timeline run_cycle_loop(const Scene& scene, const MachineSpec& spec, int max_lev
               ViewVectors(scene.camera.screen, std::int64_t{1} << max_level, formats.view_vectors),
               make_intersector(scene, formats.intersection),
               max_level > 0 && !scene.objects.empty(),
-              shadow_units_stand_in(scene)};
+              shadow_units_stand_in(scene),
+              Palette(scene, std::int64_t{1} << max_level)};
   for (std::uint32_t slot = 0; slot < spec.pixels_in_flight; ++slot) board.slots.preload({slot});
   PixelScan scan(board);
   ViewVectorGenerator generator(board);

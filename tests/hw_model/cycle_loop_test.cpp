@@ -196,6 +196,7 @@ Case random_case(std::mt19937_64& random) {
   const int instances = random() % 3 == 0 ? 4 : 0;
   result.scene = random_scene(random(), {objects, objects, planes, 0, 0, quadrics, 0, instances}, columns, rows);
   if (random() % 2 == 0) result.scene = under_lights(std::move(result.scene), random);
+  if (random() % 3 == 0) result.scene = with_textures(std::move(result.scene), random);
   result.options.max_level = static_cast<int>(random() % 6);
   if (random() % 4 == 0) result.options.formats.intersection = NumberFormat::single();
   if (random() % 4 == 0) result.options.formats.view_vectors = tf32;

@@ -36,6 +36,7 @@ TEST_P(RandomMachines, EnginesAgreeInEveryAccount) {
                       k % 4 == 2 ? 6 : 0},
                      columns, rows);
     if (k % 2 == 0) scene = under_lights(std::move(scene), random);
+    if (k % 3 == 1) scene = with_textures(std::move(scene), random);
     if (k % 3 == 0) scene.camera.window = random_window(random, scene.camera.screen);
     SimulationOptions options;
     options.max_level = static_cast<int>(random() % 6);

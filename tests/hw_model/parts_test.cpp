@@ -58,6 +58,16 @@ Frame one_sphere_before_another() {
   return {"one sphere before another", std::move(scene), 2, 2, std::move(others)};
 }
 
+Frame checkered_floor() {
+  const Plane floor{{0, 1, 0}, -1};
+  Scene scene = scene_of({floor});
+  scene.objects[0].texture = std::make_shared<const ObjectTexture>(ObjectTexture{
+      {.colors = {glm::dvec3(1), glm::dvec3(0)}}, std::make_shared<const SceneSurface>(floor), AffineMap()});
+  Names others = with({controller}, {"plane"}, false);
+  others.insert("color_unit.texture");
+  return {"a checkered floor", std::move(scene), 1, 2, std::move(others)};
+}
+
 std::vector<Frame> frames() {
   const Sphere ball{{5, 0, 0}, 1};
   const Plane floor{{0, 1, 0}, -1};
@@ -80,6 +90,7 @@ std::vector<Frame> frames() {
       {"one sphere on a plane", scene_of({ball, floor}), 2, 4, with({controller}, {"sphere", "plane"}, false)},
       {"two spheres", scene_of({ball, Sphere{{5, 1, 2}, 1}}), 2, 1, with({controller}, {"sphere"})},
       one_sphere_before_another(),
+      checkered_floor(),
   };
 }
 
@@ -111,7 +122,7 @@ void expect_built(const Processor& machine, const Frame& frame) {
   EXPECT_EQ(modules, of_every_frame.size() - 1 + frame.units + frame.others.count(controller) +
                          frame.units * frame.others.count(shadows));
   const std::size_t parts = 1 + surface_kinds;  // of each kind of unit: its walker and testers
-  EXPECT_EQ(listed.size(), of_every_frame.size() + 2 + parts * (1 + frame.others.count(shadows)));
+  EXPECT_EQ(listed.size(), of_every_frame.size() + 2 + 1 + parts * (1 + frame.others.count(shadows)));
 }
 
 /// What the parts took and the fixed cost of each ray is all that the box did; boxes did what their units did.
@@ -127,6 +138,9 @@ void expect_accounted(const Processor& machine) {
   for (const Stage* stage : machine.stages()) of_stages += stage->statistics(machine.cycles()).busy;
   EXPECT_EQ(of_boxes, of_stages);
   const FrameStatistics counts = machine.statistics();
+  for (const MachinePart& part : machine.parts()) {
+    if (part.name() == "color_unit.texture") EXPECT_EQ(part.busy, cost_of(counts.texture, machine.spec().texture_cost));
+  }
   EXPECT_EQ(of_unit, of_its_parts + machine.spec().intersection_cost.ray * counts.total_rays());
   if (counts.lights_with_shadows == 0) return;
   EXPECT_EQ(of_shadows,

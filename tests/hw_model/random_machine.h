@@ -21,12 +21,14 @@ inline MachineSpec random_machine(std::mt19937_64& random, int max_level) {
   spec.dispatch = random() % 2 == 0 ? Dispatch::round_robin : Dispatch::first_free;
   spec.issue_order_queue = depth();
   spec.intersection_latency = from(1, 64);
-  spec.intersection_cost = {from(1, 8), from(0, 4), {from(0, 8), from(0, 8), from(0, 8)}};
+  spec.intersection_cost = {from(1, 8), from(0, 4)};
+  for (Cycle& cost : spec.intersection_cost.surface_test) cost = from(0, 8);
   spec.shadow_unit = {from(1, 64), from(0, 8)};
   spec.pyramid_classifier = timing();
   spec.subdivision_controller = timing();
   spec.subdivision_pool = required_pool(max_level) + from(0, from(0, 40));
   spec.color_unit = timing();
+  spec.texture_cost = {from(0, 8), from(0, 4)};
   spec.tree_accumulator = timing();
   spec.pixels_in_flight = from(1, from(1, 300));
   spec.frame_buffer_interval = timing().interval;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace pyrasim {
+
+/// What terminal nodes took of textures: what the machine pays cycles for.
+struct TextureWork {
+  std::uint64_t places = 0;  ///< of rays on textured objects, of which coordinates were worked out
+  std::uint64_t lines = 0;   ///< of patterns, that the sides of footprints cross, each a step of their integral
+
+  TextureWork& operator+=(const TextureWork& other) {
+    places += other.places;
+    lines += other.lines;
+    return *this;
+  }
+  friend bool operator==(const TextureWork&, const TextureWork&) = default;
+};
+
+}  // namespace pyrasim
