@@ -7,19 +7,20 @@
 namespace pyrasim {
 namespace {
 
-/// How far the ray, as the datapath has it, lies at the exact hit from where it is exactly, in each coordinate of the
-/// instance: a component of its direction errs by the rounding of three numbers, of their products and of two sums. Up
-/// to the hit it runs no further than the instance reaches.
-double ray_error(const InstancedHit& hit, const Vector<double>& direction, const RoundingUnits& rounding) {
+/// How far the ray, as the datapath has it, lies at `t` from where it is exactly, in each coordinate of the instance: a
+/// component of its direction errs by the rounding of three numbers, of their products and of two sums.
+double ray_error(const InstancedHit& hit, const Vector<double>& direction, double t, const RoundingUnits& rounding) {
   const double u = rounding.relative;
   const double a = rounding.absolute;
   const double component = 4 * u * largest(hit.terms) + a * (sum(magnitudes(direction)) + 3);
-  return component * hit.within.reach / largest(direction);
+  return component * t;
 }
 
-/// What its numbers say of the instance: those of the mesh, of the map, and of the observer's frame.
+/// What its numbers say of the instance: those of the mesh; of the observer's place, whose way to the mesh is exact to
+/// 113 bits; and of his axes, of which each number errs by 4 roundings of double at most. No length is longer in the
+/// instance's coordinates.
 double written_error(const InstancedHit& hit, const RoundingUnits& rounding) {
-  return 2 * rounding.written(hit.within.reach) + hit.within.written;
+  return 0x1p-53 * (13 * hit.within.reach + rounding.place) + hit.within.written;
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ DistanceRange distance_range(const InstancedHit& hit, const Vector<double>& dire
   const double a = rounding.absolute;
   const double written = written_error(hit, rounding);
   const double displaced =
-      (u * hit.vertex + 2 * a) + (u * hit.origin + a) + ray_error(hit, direction, rounding) + written;
+      (u * hit.vertex + 2 * a) + (u * hit.origin + a) + ray_error(hit, direction, t, rounding) + written;
   const double error = distance_error(hit.placed, hit.direction, t, displaced * second_order(rounding), rounding);
   const auto box = bounds(hit.placed);
   const BoxHierarchy::Query query(glm::dvec3(0), hit.direction, hit.within.margin / 2);

@@ -79,12 +79,11 @@ Prepared<InstanceSurface> MeshInstance::prepared(const Preparation& preparation)
 /// Where the mesh's box fits into the scene, the mesh does.
 MeshInstance MeshInstance::transformed(const AffineMap& outer) const {
   MeshInstance mapped{of, outer.after(map)};
-  const auto& [lower, upper] = of->box;
   BoundingBox box;
   for (unsigned k = 0; k < 8; ++k) {
     const auto side = [&](unsigned axis) {
       const int which = static_cast<int>(axis);
-      return (k >> axis & 1U) == 0 ? lower[which] : upper[which];
+      return (k >> axis & 1U) == 0 ? of->box.lower[which] : of->box.upper[which];
     };
     box.include(mapped_point(mapped.map, {side(0), side(1), side(2)}));
   }

@@ -142,8 +142,14 @@ void Quadric::write_pov(PovWriter& pov) const {
   const auto& q = coefficients;
   const bool clipped = !clip.empty();
   pov.begin(capped && clipped ? "intersection" : "object");
-  pov.object("quadric", glm::dvec3(q.xx, q.yy, q.zz), glm::dvec3(q.xy, q.xz, q.yz), glm::dvec3(q.x, q.y, q.z),
-             q.constant);
+  // POV-Ray bounds the inside of a quadric as if that were round; the outside of its negative it does not.
+  const bool hollow = capped && std::min({q.xx, q.yy, q.zz}) < 0;
+  const double sign = hollow ? -1 : 1;
+  pov.begin("quadric");
+  pov.add(sign * glm::dvec3(q.xx, q.yy, q.zz), sign * glm::dvec3(q.xy, q.xz, q.yz), sign * glm::dvec3(q.x, q.y, q.z),
+          sign * q.constant);
+  if (hollow) pov.add("inverse");
+  pov.end();
   if (!capped && clipped) pov.begin("clipped_by");
   for (const auto& [normal, offset] : clip) pov.plane(normal, offset);
   if (!capped && clipped) pov.end();

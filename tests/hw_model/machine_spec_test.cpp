@@ -66,7 +66,7 @@ TEST_F(LoadMachine, EveryKeyOfAFile) {
   EXPECT_EQ(spec.intersection_cost.ray, 8U);
   EXPECT_EQ(spec.intersection_cost.box_test, 9U);
   EXPECT_EQ(spec.intersection_cost.surface_test,
-            (std::array<Cycle, surface_kinds>{10, 11, 0, 24, 25, 26, 27, 28, 29, 30}));
+            (std::array<Cycle, surface_kinds>{10, 11, 0, 24, 25, 26, 27, 28, 29, 30, 31}));
   EXPECT_EQ(spec.pyramid_classifier.latency, 12U);
   EXPECT_EQ(spec.pyramid_classifier.interval, 13U);
   EXPECT_EQ(spec.subdivision_controller.latency, 14U);

@@ -47,7 +47,7 @@ void expect_seen_as_copies_are(int most_others, double most_shading) {
       }
     }
   }
-  EXPECT_GT(hits, 6000);
+  EXPECT_GT(hits, 3000);
   EXPECT_LE(others, most_others);
 }
 

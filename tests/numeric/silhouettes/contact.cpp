@@ -405,22 +405,35 @@ DistanceRange range_of(const PreparedScene<double>&, const Surface& surface, con
 DistanceRange range_of(const PreparedScene<double>& scene, const Facet& facet, const Scaling& scaling,
                        const Vector<double>& direction, double t, const RoundingUnits& units) {
   if (facet.instance == nullptr) return range_of(scene, facet.triangle, scaling, direction, t, units);
-  const InstancedTriangle<double> triangle(facet.instance->mapped<double>(scaling), scene.meshes[facet.instance->mesh],
-                                           facet.place);
+  InstanceSurface<double> instance = facet.instance->mapped<double>(scaling);
+  instance.within.margin = 0x1p100;  // that of the format is not known here: boxes tell nothing
+  const InstancedTriangle<double> triangle(instance, scene.meshes[instance.mesh], facet.place);
   return triangle.distance_range(direction, t, units);
 }
 
-/// The hit errs, and the datapath grants it as much again to either side: the range of twice the rounding.
+/// The hit errs, and the datapath grants it as much again to either side: the range of twice the rounding. An
+/// instance's errors depend on where it is hit, so that its hit may be granted what it is at either end.
 template <class Surface>
 Verdict with_range(Verdict verdict, const ExactScene& scene, const Surface& surface, const Ray& ray,
                    const Contact& contact, const Rounding& rounding) {
   const double factor = std::ldexp(1.0, rounding.exponent);
   const RoundingUnits units{2 * rounding.relative, 2 * rounding.absolute, scene.place() * factor};
   const Vector<double> direction{1, ray.y<double>(), ray.z<double>()};
-  const DistanceRange range =
-      range_of(scene.prepared(), surface, Scaling{rounding.exponent}, direction, contact.t * factor, units);
-  verdict.begins_behind = std::min(verdict.lowest_behind, contact.behind + (range.lowest / factor - contact.t));
-  verdict.ends_behind = std::max(verdict.highest_behind, contact.behind + (range.highest / factor - contact.t));
+  verdict.begins_behind = verdict.lowest_behind;
+  verdict.ends_behind = verdict.highest_behind;
+  const auto grant = [&](double t) {
+    if (!(t > 0) || !std::isfinite(t)) return;
+    const DistanceRange range =
+        range_of(scene.prepared(), surface, Scaling{rounding.exponent}, direction, t * factor, units);
+    verdict.begins_behind = std::min(verdict.begins_behind, contact.behind + (range.lowest / factor - contact.t));
+    verdict.ends_behind = std::max(verdict.ends_behind, contact.behind + (range.highest / factor - contact.t));
+  };
+  grant(contact.t);
+  if constexpr (std::is_same_v<Surface, Facet>) {
+    if (surface.instance == nullptr) return verdict;
+    grant(contact.t + (verdict.lowest_behind - contact.behind));
+    grant(contact.t + (verdict.highest_behind - contact.behind));
+  }
   return verdict;
 }
 
