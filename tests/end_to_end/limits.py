@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""--max-cycles, and what the statistics say of waits, latencies and occupancy."""
+"""--max-cycles, what the statistics say of waits, latencies and occupancy, and what instances take of memory."""
 
 import tool
 from tool import LIMIT, MACHINES, SCENES, USAGE
@@ -126,6 +126,25 @@ class Statistics(tool.EndToEnd):
             units = [unit["busy"] for unit in document["units"] if unit["name"].startswith("intersection_unit")]
             others = [unit["busy"] for unit in document["units"] if not unit["name"].startswith("intersection_unit")]
             self.assertEqual(bound["cycles"], max(-(-sum(units) // len(units)), *others))
+
+
+class Memory(tool.EndToEnd):
+    def scene(self, count):
+        side = 120
+        vertices = "".join(f"v {x} {(x * y) % 7} {y}\n" for y in range(side) for x in range(side))
+        faces = "".join(f"f {k} {k + 1} {k + side + 1} {k + side}\n" for y in range(side - 1)
+                        for k in range(y * side + 1, (y + 1) * side))
+        self.write("ground.obj", vertices + faces)
+        scene = tool.scene([{"type": "instance", "of": "ground", "color": [1, 1, 1], "transform": [
+            {"scale": 0.01}, {"translate": [5 + k % 30, k % 7 - 3, k % 11 - 5]}]} for k in range(count)])
+        return self.write(f"{count}.json", scene | {"shapes": {"ground": {"type": "mesh", "file": "ground.obj"}}})
+
+    def test_a_thousand_instances_take_hardly_more_than_one(self):
+        """Of a mesh of 28,322 triangles."""
+        one, many = (self.memory("render", self.scene(count), "--size", "32x24", "--threads", "1", "-o", "x.png")
+                     for count in (1, 1000))
+        print(f"figure: {one / 1e6:.1f} MB for one instance, {many / 1e6:.1f} MB for 1,000")
+        self.assertLess(many, 1.2 * one + 2e6)
 
 
 tool.main()

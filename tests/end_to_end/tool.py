@@ -118,6 +118,15 @@ class EndToEnd(unittest.TestCase):
         self.assertEqual(len(messages(run.stderr)), warnings, run.stderr)
         return run.stdout
 
+    def memory(self, *arguments):
+        """The most that a run takes, bytes."""
+        process = subprocess.Popen([PYRASIM, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, cwd=self.folder)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, OK)
+        return 1024 * usage.ru_maxrss
+
     def stats(self, *arguments):
         """The document of a run with --stats -; whatever table comes with it is on stderr."""
         run = self.run_tool(*arguments, "--stats", "-")

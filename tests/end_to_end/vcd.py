@@ -116,15 +116,6 @@ class Trace(tool.EndToEnd):
         self.assertTrue(self.run_tool(*arguments, "--trace", "/dev/stdout").stdout.startswith(expected))
         self.assertEqual([file.name for file in self.folder.iterdir()], ["out.vcd"])
 
-    def memory(self, *arguments):
-        """The most that a run takes, bytes."""
-        process = subprocess.Popen([tool.PYRASIM, *map(str, arguments)], stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.DEVNULL, cwd=self.folder)
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        self.assertEqual(process.returncode, tool.OK)
-        return 1024 * usage.ru_maxrss
-
     def test_memory_does_not_grow_with_the_frame(self):
         """Ten times the rows are a hundred megabytes more of trace, and some of picture in memory."""
         for name in ("out.vcd", "-"):

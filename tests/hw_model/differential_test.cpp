@@ -30,11 +30,10 @@ TEST_P(RandomMachines, EnginesAgreeInEveryAccount) {
   for (int k = 0; k < machines_per_case; ++k) {
     const auto columns = static_cast<int>(1 + random() % 16);
     const auto rows = static_cast<int>(1 + random() % 12);
-    Scene scene =
-        random_scene(random(),
-                     {12, 12, k % 4 == 0 ? 1 : 0, k % 3 == 0 ? 5 : 0, k % 5 == 0 ? 5 : 0, k % 4 == 1 ? 8 : 0, 0,
-                      k % 4 == 2 ? 6 : 0},
-                     columns, rows);
+    Scene scene = random_scene(
+        random(),
+        {12, 12, k % 4 == 0 ? 1 : 0, k % 3 == 0 ? 5 : 0, k % 5 == 0 ? 5 : 0, k % 4 == 1 ? 8 : 0, 0, k % 4 == 2 ? 6 : 0},
+        columns, rows);
     if (k % 2 == 0) scene = under_lights(std::move(scene), random);
     if (k % 3 == 1) scene = with_textures(std::move(scene), random);
     if (k % 3 == 0) scene.camera.window = random_window(random, scene.camera.screen);

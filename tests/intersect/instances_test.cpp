@@ -7,6 +7,7 @@
 #include "../numeric/extremes/formats.h"
 #include "intersect/instanced_triangle.h"
 #include "intersect/scene_intersector.h"
+#include "numeric/round_to_format.h"
 
 namespace pyrasim {
 namespace {
@@ -74,6 +75,58 @@ TEST(Instances, EachTriangleOfEachHasANumberOfItsOwn) {
     identities.emplace(identity.object, identity.order);
   }
   EXPECT_EQ(identities.size(), 5U * 8);
+}
+
+/// Of an instance before the observer, places on edges between two sides that both face him, in his coordinates.
+std::vector<glm::dvec3> places_on_inner_edges(const MeshInstance& instance, Random& random) {
+  const Mesh& mesh = instance.of->mesh;
+  const auto vertex = [&](std::uint32_t k) { return rounded(instance.map.point(exactly(mesh.vertices[k]))); };
+  const glm::dvec3 middle = rounded(instance.map.point(exactly(instance.of->box.center())));
+  const auto faces_observer = [&](const std::array<std::uint32_t, 3>& triangle) {
+    const glm::dvec3 a = vertex(triangle[0]);
+    glm::dvec3 normal = cross(vertex(triangle[1]) - a, vertex(triangle[2]) - a);
+    if (dot(normal, a - middle) < 0) normal = -normal;
+    return dot(normal, a) < -0.2 * std::sqrt(dot(normal, normal) * dot(a, a));
+  };
+  std::vector<glm::dvec3> places;
+  for (const auto& one : mesh.triangles) {
+    for (const auto& other : mesh.triangles) {
+      std::vector<std::uint32_t> shared;
+      for (const std::uint32_t k : one) {
+        if (std::find(other.begin(), other.end(), k) != other.end()) shared.push_back(k);
+      }
+      if (shared.size() != 2 || !faces_observer(one) || !faces_observer(other)) continue;
+      for (int k = 0; k < 8; ++k) {
+        const double part = random.uniform(0.25, 0.75);
+        places.push_back(vertex(shared[0]) * part + vertex(shared[1]) * (1 - part));
+      }
+    }
+  }
+  return places;
+}
+
+/// Neighbours compute a shared edge from the same numbers, in the mesh's coordinates too.
+TEST(Instances, NoRayRunsBetweenTheirTriangles) {
+  for_every_format([&]<class Scalar>() {
+    Random random(7);
+    std::mt19937_64 engine(8);
+    int aimed = 0;
+    for (int k = 0; k < 60; ++k) {
+      Scene scene = empty_scene(1, 1, 1);
+      const MeshInstance instance =
+          random_instance(engine, octahedron(), {6, random.uniform(-2, 2), random.uniform(-2, 2)});
+      scene.objects = {object(instance)};
+      const auto intersector = make_intersector(scene, format_of<Scalar>());
+      const RoundToFormat round(format_of<Scalar>());
+      for (const glm::dvec3& place : places_on_inner_edges(instance, random)) {
+        Work work;
+        const glm::dvec3 along(1, round(place.y / place.x), round(place.z / place.x));
+        ASSERT_EQ(intersector->intersect(along, work).seen.object, 0U) << k;
+        ++aimed;
+      }
+    }
+    EXPECT_GT(aimed, 500);
+  });
 }
 
 /// A ray that meets no box of the instance costs its test alone; one through its middle at most its hierarchy.

@@ -59,9 +59,21 @@ bool Explanation::allows(const Contact& contact, const Verdict& verdict) const {
     if (!certain_[k] || contacts_[k].identity.object == contact.identity.object) continue;
     if (verdict.lowest_behind <= certain_[k]->behind) continue;
     const bool first = contact.identity.object < contacts_[k].identity.object;
-    if (!first || verdict.begins_behind > certain_[k]->ends) return false;
+    if (first ? verdict.begins_behind > certain_[k]->ends : !ties_before(contact, verdict, *certain_[k])) return false;
   }
   return true;
+}
+
+bool Explanation::ties_before(const Contact& contact, const Verdict& verdict, const Certain& certain) const {
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const Verdict& other = verdicts_[k];
+    const bool nearer = other.possible && other.lowest_behind < certain.behind;
+    if (nearer && contact.identity.object < contacts_[k].identity.object &&
+        verdict.begins_behind <= other.ends_behind) {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool Explanation::allows(std::uint32_t object) const {

@@ -19,7 +19,8 @@ namespace pyrasim::silhouettes {
 /// a silhouette of the mesh or its border lets the ray by, or a triangle so small that nothing is left of it.
 ///
 /// Where the datapath grants two hits ranges that meet, it sees the first in the scene (decision D7): an object that
-/// comes before all those that it lies behind is explained by that too.
+/// comes before all those that it lies behind is explained by that too. What counts is whose ranges meet that of the
+/// nearest hit: one that comes first and lies in front does not matter, where its range begins behind the nearest's.
 class Explanation {
  public:
   /// `contacts` are those of the ray for `rounding` or more.
@@ -34,6 +35,8 @@ class Explanation {
   };
   std::optional<Certain> certain_hit(std::size_t contact) const;
   bool allows(const Contact& contact, const Verdict& verdict) const;
+  /// Whether the contact may tie with a hit that is nearer than a certain one, and come before it in the scene.
+  bool ties_before(const Contact& contact, const Verdict& verdict, const Certain& certain) const;
 
   const ExactScene& scene_;
   const std::vector<Contact>& contacts_;
