@@ -79,7 +79,7 @@ QuadricShape<double, 2> cut_off(const QuadricFrame& frame, const AxisSegment& ax
   return shape;
 }
 
-SurfaceCoordinates AxisSegment::coordinates(const glm::dvec3& point, double base_radius, double cap_radius) const {
+SurfaceCoordinates AxisSegment::coordinates_at(const glm::dvec3& point, double base_radius, double cap_radius) const {
   SurfaceCoordinates skin = about_axis(cap - base, base, point);
   const double height = glm::distance(base, cap);
   const glm::dvec3 along = (cap - base) / height;

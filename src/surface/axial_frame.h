@@ -21,7 +21,7 @@ struct AxisSegment {
   AxisSegment transformed(const AffineMap& map) const;
   /// On a surface round about it, `base_radius` wide at the base and `cap_radius` at the cap: those of about_axis() on
   /// its skin, on its ends those of a plane from the axis on.
-  SurfaceCoordinates coordinates(const glm::dvec3& point, double base_radius, double cap_radius) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point, double base_radius, double cap_radius) const;
 };
 
 /// About the middle of the axis, its third one along it; scales, signs and what follows are the caller's.

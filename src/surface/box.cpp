@@ -149,7 +149,7 @@ DistanceRange distance_range(const BoxSurface<double>& box, const Vector<double>
 
 /// A chart for each face, of the two axes along it: z and y, x and z, x and y; from the lower corner on. A point lies
 /// on the face that it is nearest to.
-SurfaceCoordinates Box::coordinates(const glm::dvec3& point) const {
+SurfaceCoordinates Box::coordinates_at(const glm::dvec3& point) const {
   int face = 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {

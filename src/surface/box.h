@@ -96,7 +96,7 @@ struct Box {
   static Box read(const JsonReader& reader, const SceneReading& reading);
   Prepared<BoxSurface> prepared(const Preparation& preparation) const;
   std::variant<Box, Parallelepiped> transformed(const AffineMap& map) const;
-  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -61,8 +61,8 @@ void Cone::write_pov(PovWriter& pov) const {
   pov.end();
 }
 
-SurfaceCoordinates Cone::coordinates(const glm::dvec3& point) const {
-  return axis.coordinates(point, base_radius, cap_radius);
+SurfaceCoordinates Cone::coordinates_at(const glm::dvec3& point) const {
+  return axis.coordinates_at(point, base_radius, cap_radius);
 }
 
 }  // namespace pyrasim

@@ -29,7 +29,7 @@ struct Cone {
   static Cone read(const JsonReader& reader, const SceneReading& reading);
   Prepared<ConeSurface> prepared(const Preparation& preparation) const;
   std::variant<Cone, FramedQuadric> transformed(const AffineMap& map) const;
-  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

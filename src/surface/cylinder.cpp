@@ -39,8 +39,8 @@ void Cylinder::write_pov(PovWriter& pov) const {
 }
 
 /// Ends have charts of their own, of lengths from the axis on.
-SurfaceCoordinates Cylinder::coordinates(const glm::dvec3& point) const {
-  return axis.coordinates(point, radius, radius);
+SurfaceCoordinates Cylinder::coordinates_at(const glm::dvec3& point) const {
+  return axis.coordinates_at(point, radius, radius);
 }
 
 }  // namespace pyrasim

@@ -28,7 +28,7 @@ struct Cylinder {
   static Cylinder read(const JsonReader& reader, const SceneReading& reading);
   Prepared<CylinderSurface> prepared(const Preparation& preparation) const;
   std::variant<Cylinder, FramedQuadric> transformed(const AffineMap& map) const;
-  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

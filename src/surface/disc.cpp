@@ -101,6 +101,6 @@ DistanceRange distance_range(const DiscSurface<double>& disc, const Vector<doubl
                        disc.center.x + depth, direction);
 }
 
-SurfaceCoordinates Disc::coordinates(const glm::dvec3& point) const { return on_plane(normal, center, point); }
+SurfaceCoordinates Disc::coordinates_at(const glm::dvec3& point) const { return on_plane(normal, center, point); }
 
 }  // namespace pyrasim

@@ -68,7 +68,7 @@ struct Disc {
   Prepared<DiscSurface> prepared(const Preparation& preparation) const;
   /// By a similarity: else it would be an ellipse.
   Disc transformed(const AffineMap& map) const;
-  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -31,7 +31,7 @@ struct Ellipsoid {
   static Ellipsoid read(const JsonReader& reader, const SceneReading& reading);
   Prepared<EllipsoidSurface> prepared(const Preparation& preparation) const;
   Ellipsoid transformed(const AffineMap& map) const;
-  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 
   QuadrupleMatrix axes() const { return turned ? *turned : QuadrupleMatrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }

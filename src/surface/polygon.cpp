@@ -96,7 +96,7 @@ void Polygon::write_pov(PovWriter& pov) const {
   pov.end();
 }
 
-SurfaceCoordinates Polygon::coordinates(const glm::dvec3& point) const {
+SurfaceCoordinates Polygon::coordinates_at(const glm::dvec3& point) const {
   return on_plane(area_vector(vertices), vertices[0], point);
 }
 

@@ -21,7 +21,7 @@ struct Polygon {
 
   static Polygon read(const JsonReader& reader, const SceneReading& reading);
   Polygon transformed(const AffineMap& map) const;
-  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 
   /// Calls add(prepared triangle) for each.

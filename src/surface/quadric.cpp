@@ -77,7 +77,12 @@ std::vector<HalfSpace<double>> read_clip(const JsonReader& reader) {
       clip.push_back({read_direction(plane.member("normal")), plane.member("offset").number(coordinates)});
     }
   }
-  if (!clip_box(exact(clip), {})) reader.fail("nothing is left", "the half-spaces have to have a point in common");
+  const auto left = clip_box(exact(clip), {});
+  if (!left) reader.fail("nothing is left", "the half-spaces have to have a point in common");
+  const glm::dvec3 sides = left->upper - left->lower;
+  if (!(std::min({sides.x, sides.y, sides.z}) > 0)) {
+    reader.fail("what is left is flat", "half-spaces that have a volume in common are allowed");
+  }
   return clip;
 }
 
@@ -157,7 +162,7 @@ void Quadric::write_pov(PovWriter& pov) const {
 }
 
 /// About the y axis; closed ends too.
-SurfaceCoordinates Quadric::coordinates(const glm::dvec3& point) const {
+SurfaceCoordinates Quadric::coordinates_at(const glm::dvec3& point) const {
   return about_axis({0, 1, 0}, glm::dvec3(0), point);
 }
 

@@ -41,7 +41,7 @@ struct Quadric {
   static Quadric read(const JsonReader& reader, const SceneReading& reading);
   Prepared<QuadricSurface> prepared(const Preparation& preparation) const;
   FramedQuadric transformed(const AffineMap& map) const;
-  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -169,6 +169,6 @@ DistanceRange distance_range(const SphereSurface<double>& surface, const Vector<
                        surface.center.x + surface.radius + margin, direction);
 }
 
-SurfaceCoordinates Sphere::coordinates(const glm::dvec3& point) const { return on_sphere(point - center); }
+SurfaceCoordinates Sphere::coordinates_at(const glm::dvec3& point) const { return on_sphere(point - center); }
 
 }  // namespace pyrasim

@@ -67,7 +67,7 @@ struct Sphere {
   static Sphere read(const JsonReader& reader, const SceneReading& reading);
   Prepared<SphereSurface> prepared(const Preparation& preparation) const;
   std::variant<Sphere, Ellipsoid> transformed(const AffineMap& map) const;
-  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

@@ -178,7 +178,7 @@ DistanceRange distance_range(const TorusSurface<double>& torus, const Vector<dou
 }
 
 /// v: the angle about the middle of the tube, in turns; 0 on the outer side, and growing along the axis.
-SurfaceCoordinates Torus::coordinates(const glm::dvec3& point) const {
+SurfaceCoordinates Torus::coordinates_at(const glm::dvec3& point) const {
   SurfaceCoordinates result = about_axis(axis, center, point);
   const glm::dvec3 along = normalized(axis);
   const glm::dvec3 from = point - center;

@@ -76,7 +76,7 @@ struct Torus {
   Prepared<TorusSurface> prepared(const Preparation& preparation) const;
   /// By a similarity: else it would be no torus.
   Torus transformed(const AffineMap& map) const;
-  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

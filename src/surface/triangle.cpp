@@ -187,7 +187,7 @@ DistanceRange distance_range(const TriangleSurface<double>& surface, const Vecto
                        std::max({a[0], b[0], c[0]}) + margin, direction);
 }
 
-SurfaceCoordinates Triangle::coordinates(const glm::dvec3& point) const {
+SurfaceCoordinates Triangle::coordinates_at(const glm::dvec3& point) const {
   const auto& [a, b, c] = vertices;
   return on_plane(cross(b - a, c - a), a, point);
 }

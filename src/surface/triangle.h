@@ -105,7 +105,7 @@ struct Triangle {
   static Triangle read(const JsonReader& reader, const SceneReading& reading);
   Prepared<TriangleSurface> prepared(const Preparation& preparation) const;
   Triangle transformed(const AffineMap& map) const;
-  SurfaceCoordinates coordinates(const glm::dvec3& point) const;
+  SurfaceCoordinates coordinates_at(const glm::dvec3& point) const;
   void write_pov(PovWriter& pov) const;
 };
 

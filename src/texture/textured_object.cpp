@@ -42,8 +42,8 @@ std::optional<SurfaceCoordinates> TexturedObject::coordinates(const glm::dvec3& 
                            dot(rows_[2], seen) + offset_.z);
   return std::visit(
       [&](const auto& surface) -> std::optional<SurfaceCoordinates> {
-        if constexpr (requires { surface.coordinates(written); }) {
-          return surface.coordinates(written);
+        if constexpr (requires { surface.coordinates_at(written); }) {
+          return surface.coordinates_at(written);
         } else {
           return std::nullopt;
         }

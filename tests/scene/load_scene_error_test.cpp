@@ -214,6 +214,8 @@ TEST_F(LoadSceneError, QuadricsWithoutSquaresOrSpace) {
       "magnitude");
   EXPECT_EQ(error_with("/objects/0", quadric + R"({"xx": 1}, "clip": {"min": [1, 0, 0], "max": [0, 1, 1]}})"),
             ": /objects/0/clip: nothing is left; the half-spaces have to have a point in common");
+  EXPECT_EQ(error_with("/objects/0", quadric + R"({"xx": 1}, "clip": {"min": [0, 0, 0], "max": [0, 1, 1]}})"),
+            ": /objects/0/clip: what is left is flat; half-spaces that have a volume in common are allowed");
   const std::string plane = R"({"normal": [1, 0, 0], "offset": 1})";
   EXPECT_EQ(
       error_with("/objects/0", quadric + R"({"xx": 1}, "clip": {"min": [0, 0, 0], "max": [1, 1, 1], "planes": [)" +

@@ -87,7 +87,7 @@ TEST(TexturedObject, TransformsMoveTheTextureToo) {
     const glm::dvec3 ray = there / there.x;
     Work work;
     Scene alone = textured(ball, texture, map);
-    const auto at = std::get<Sphere>(ball).coordinates(written);
+    const auto at = std::get<Sphere>(ball).coordinates_at(written);
     const TexturePoint cell = texture.cell(at.u, at.v);
     const double from_line = std::min(std::abs(cell.u - std::round(cell.u)), std::abs(cell.v - std::round(cell.v)));
     if (from_line < 1e-6) continue;
@@ -126,26 +126,26 @@ TEST(SurfaceCoordinatesOf, EachSurface) {
     EXPECT_NEAR(at.v, v, 1e-12);
     EXPECT_EQ(at.chart, chart);
   };
-  expect(Sphere{{1, 1, 1}, 2}.coordinates({3, 1, 1}), 0, 0);
-  expect(Sphere{{1, 1, 1}, 2}.coordinates({1, 1, 3}), 0.25, 0);
-  expect(Sphere{{1, 1, 1}, 2}.coordinates({1, 3, 1}), 0, 0.5);
-  expect(Ellipsoid{{0, 0, 0}, {1, 2, 3}}.coordinates({0, 0, -3}), -0.25, 0);
-  expect(Disc{{1, 0, 0}, {0, 2, 0}, 3}.coordinates({2, 0, 1.5}), 1, 1.5);
-  expect(Plane{{-1, 0, 0}, -4}.coordinates({4, 2, 3}), 3, 2);  // a wall before the observer: right is z
-  expect(Triangle{{{{1, 0, 0}, {1, 0, 1}, {1, 1, 0}}}}.coordinates({1, 0.5, 0.25}), 0.25, 0.5);
-  expect(Box{{0, 0, 0}, {1, 2, 3}}.coordinates({1, 0.5, 2}), 2, 0.5, 1);
-  expect(Box{{0, 0, 0}, {1, 2, 3}}.coordinates({0.25, 0, 2}), 0.25, 2, 2);
-  expect(Box{{0, 0, 0}, {1, 2, 3}}.coordinates({0.25, 0.5, 3}), 0.25, 0.5, 5);
+  expect(Sphere{{1, 1, 1}, 2}.coordinates_at({3, 1, 1}), 0, 0);
+  expect(Sphere{{1, 1, 1}, 2}.coordinates_at({1, 1, 3}), 0.25, 0);
+  expect(Sphere{{1, 1, 1}, 2}.coordinates_at({1, 3, 1}), 0, 0.5);
+  expect(Ellipsoid{{0, 0, 0}, {1, 2, 3}}.coordinates_at({0, 0, -3}), -0.25, 0);
+  expect(Disc{{1, 0, 0}, {0, 2, 0}, 3}.coordinates_at({2, 0, 1.5}), 1, 1.5);
+  expect(Plane{{-1, 0, 0}, -4}.coordinates_at({4, 2, 3}), 3, 2);  // a wall before the observer: right is z
+  expect(Triangle{{{{1, 0, 0}, {1, 0, 1}, {1, 1, 0}}}}.coordinates_at({1, 0.5, 0.25}), 0.25, 0.5);
+  expect(Box{{0, 0, 0}, {1, 2, 3}}.coordinates_at({1, 0.5, 2}), 2, 0.5, 1);
+  expect(Box{{0, 0, 0}, {1, 2, 3}}.coordinates_at({0.25, 0, 2}), 0.25, 2, 2);
+  expect(Box{{0, 0, 0}, {1, 2, 3}}.coordinates_at({0.25, 0.5, 3}), 0.25, 0.5, 5);
   const Cylinder post{{{0, 0, 0}, {0, 2, 0}}, 1};
-  expect(post.coordinates({1, 1.5, 0}), 0, 1.5);
-  expect(post.coordinates({0, 0.5, -1}), 0.25, 0.5);  // right-handed about y
-  expect(post.coordinates({0.25, 2, 0.5}), 0.25, 0.5, 2);
-  expect(Cone{{{0, 0, 0}, {0, 2, 0}}, 2, 0}.coordinates({1, 1, 0}), 0, 1);
-  expect(Cone{{{0, 0, 0}, {0, 2, 0}}, 2, 0}.coordinates({1, 0, 0.5}), 1, 0.5, 1);
-  expect(Quadric{{.xx = 1, .zz = 1, .y = -1}}.coordinates({1, 1, 0}), 0, 1);
+  expect(post.coordinates_at({1, 1.5, 0}), 0, 1.5);
+  expect(post.coordinates_at({0, 0.5, -1}), 0.25, 0.5);  // right-handed about y
+  expect(post.coordinates_at({0.25, 2, 0.5}), 0.25, 0.5, 2);
+  expect(Cone{{{0, 0, 0}, {0, 2, 0}}, 2, 0}.coordinates_at({1, 1, 0}), 0, 1);
+  expect(Cone{{{0, 0, 0}, {0, 2, 0}}, 2, 0}.coordinates_at({1, 0, 0.5}), 1, 0.5, 1);
+  expect(Quadric{{.xx = 1, .zz = 1, .y = -1}}.coordinates_at({1, 1, 0}), 0, 1);
   const Torus ring{{0, 0, 0}, {0, 1, 0}, 2, 0.5};
-  expect(ring.coordinates({2.5, 0, 0}), 0, 0);
-  expect(ring.coordinates({0, 0.5, -2}), 0.25, 0.25);
+  expect(ring.coordinates_at({2.5, 0, 0}), 0, 0);
+  expect(ring.coordinates_at({0, 0.5, -2}), 0.25, 0.25);
 }
 
 }  // namespace
