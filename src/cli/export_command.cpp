@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iostream>
 #include <memory>
 
 #include "cli/command.h"
@@ -22,6 +24,12 @@ struct ExportCommand {
     plan.reads("SCENE", scene.files);
     plan.writes("-o", output, ".pov");
     TextOutput file(output);
+    const auto textured = std::count_if(scene.objects.begin(), scene.objects.end(),
+                                        [](const Object& object) { return object.texture != nullptr; });
+    if (textured > 0 && !ids) {
+      std::cerr << fmt::format("pyrasim: warning: the textures of {} object{} are written as their mean colours\n",
+                               textured, textured == 1 ? "" : "s");
+    }
     file.write(pov_scene(scene, ids, fmt::format("pyrasim {}: {}", version(), command_line())));
   }
 };

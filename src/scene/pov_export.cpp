@@ -127,7 +127,9 @@ std::string pov_scene(const Scene& scene, bool ids, const std::string& remark) {
   ids ? write_finish(pov, glm::dvec3(1), 0) : write_lights(pov, scene);
   declare_meshes(pov, scene.objects);
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
-    write_object(pov, k, scene.objects[k], ids ? id_color(k) : scene.objects[k].color);
+    const Object& object = scene.objects[k];
+    const glm::dvec3 color = object.texture ? object.color * object.texture->texture.mean() : object.color;
+    write_object(pov, k, object, ids ? id_color(k) : color);
   }
   return pov.text();
 }

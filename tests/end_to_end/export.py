@@ -287,6 +287,8 @@ def shipped():
         for thing in [*document["objects"], *document.get("shapes", {}).values()]:
             if thing["type"] == "mesh":
                 thing["file"] = str(SCENES / thing["file"])
+            if thing.pop("texture", None):  # is written as its mean
+                thing.setdefault("color", [0.5, 0.6, 0.7])
         yield file.stem, document, (160, 120)
 
 

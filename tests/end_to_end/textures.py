@@ -55,6 +55,11 @@ class Textures(tool.EndToEnd):
         self.assertIn("color_unit.texture", [part["name"] for part in
                                              self.stats("simulate", self.write("p.json", plain))["machine"]["omitted"]])
 
+    def test_export_says_that_it_writes_means(self):
+        run = self.run_tool("export", self.write("horizon.json", HORIZON), "-o", "-")
+        self.assertEqual(run.stderr, "pyrasim: warning: the textures of 1 object are written as their mean colours\n")
+        self.assertRegex(run.stdout, "pigment { rgb <0.475[0-9]*, 0.475[0-9]*, 0.49[0-9]*> }")
+
     def test_mistakes(self):
         def refused(texture, says, **more):
             thing = {"type": "sphere", "center": [9, 0, 0], "radius": 1, "texture": texture, **more}

@@ -17,7 +17,8 @@ Palette palette() {
 }
 
 glm::vec3 edge_color(const CornerSamples& corners, EdgePolicy edge) {
-  return single_node_result(palette().terminal_color(classify(corners), corners, edge, {}));
+  TextureWork work;
+  return single_node_result(palette().terminal_color(classify(corners), corners, edge, {}, work));
 }
 
 constexpr Sample nothing{};
@@ -56,9 +57,10 @@ TEST(TerminalColor, EdgeDoesNotDependOnTheOrderOfCorners) {
 }
 
 TEST(SampleColor, IsTheColorTimesTheShading) {
-  EXPECT_EQ(single_node_result(palette().sample_color({{1}, 0.5}, {})), glm::vec3(0, 0.125, 0.375));
-  EXPECT_EQ(single_node_result(palette().sample_color({{1}, 0.5}, {}, 2)), glm::vec3(0, 0.0625, 0.1875));
-  EXPECT_EQ(single_node_result(palette().sample_color(nothing, {})), glm::vec3(0.125, 0.25, 0.5));
+  TextureWork work;
+  EXPECT_EQ(single_node_result(palette().sample_color({{1}, 0.5}, {}, work)), glm::vec3(0, 0.125, 0.375));
+  EXPECT_EQ(single_node_result(palette().sample_color({{1}, 0.5}, {}, work, 2)), glm::vec3(0, 0.0625, 0.1875));
+  EXPECT_EQ(single_node_result(palette().sample_color(nothing, {}, work)), glm::vec3(0.125, 0.25, 0.5));
 }
 
 }  // namespace

@@ -123,13 +123,14 @@ TEST(ExtremesMetamorphic, APyramidsColorDoesNotDependOnHowItsCornersAreTurned) {
   Scene scene = empty_scene(1, 1, 1);
   scene.objects = {object(Sphere{{5, 0, 0}, 1}, {max_color, 1, 0.3})};
   const Palette palette(scene, 1);
+  TextureWork work;
   Random random(46);
   for (int k = 0; k < 1000; ++k) {
     CornerSamples corners;
     for (Sample& corner : corners) corner = {{0}, random.uniform(0, 1)};
     const auto color = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
       return palette.terminal_color(PyramidCase::covered, {corners[a], corners[b], corners[c], corners[d]},
-                                    EdgePolicy::mean, {});
+                                    EdgePolicy::mean, {}, work);
     };
     const FixedColor expected = color(0, 1, 2, 3);
     EXPECT_EQ(color(2, 3, 0, 1), expected);  // upside down
