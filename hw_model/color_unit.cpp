@@ -13,16 +13,15 @@ ColorUnit::ColorUnit(const sc_core::sc_module_name& name, const FrameSetup& fram
       palette_(frame.scene, std::int64_t{1} << frame.options.max_level, frame.options.texture),
       edge_policy_(frame.options.edge),
       texture_cost_(frame.spec.texture_cost),
-      textured_objects_(static_cast<std::size_t>(
-          std::count_if(frame.scene.objects.begin(), frame.scene.objects.end(),
-                        [](const Object& object) { return object.texture != nullptr; }))) {}
+      textured_objects_(
+          static_cast<std::size_t>(std::count_if(frame.scene.objects.begin(), frame.scene.objects.end(),
+                                                 [](const Object& object) { return object.texture != nullptr; }))) {}
 
 std::vector<StagePart> ColorUnit::parts() const {
   const std::size_t objects = textured_objects_;
-  const Need need = objects == 0
-                        ? Need{false, "the scene has no textures"}
-                        : Need{true, fmt::format("{} object{} of the scene {} a texture", objects,
-                                                 objects == 1 ? "" : "s", objects == 1 ? "has" : "have")};
+  const Need need = objects == 0 ? Need{false, "the scene has no textures"}
+                                 : Need{true, fmt::format("{} object{} of the scene {} a texture", objects,
+                                                          objects == 1 ? "" : "s", objects == 1 ? "has" : "have")};
   return {{"texture", need, cost_of(work_, texture_cost_)}};
 }
 

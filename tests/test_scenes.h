@@ -181,7 +181,9 @@ inline Scene under_lights(Scene scene, std::mt19937_64& random) {
 /// Half of the objects with a pattern.
 inline Scene with_textures(Scene scene, std::mt19937_64& random) {
   const auto color = [&] { return random_vector(random, {0, 0, 0}, {1, 1, 1}); };
-  const auto number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
   for (Object& object : scene.objects) {
     if (random() % 2 == 0) continue;
     const Texture texture{.pattern = random() % 2 == 0 ? Pattern::checker : Pattern::stripes,

@@ -142,7 +142,8 @@ class BandWorker {
     statistics_.count(which, 0);
     if (!subdivides(which, pixel_)) {
       count_terminal_node(which, pixel_.log2_side);
-      return single_node_result(frame_.palette.terminal_color(which, corners, frame_.options.edge, pixel_, statistics_.texture));
+      return single_node_result(
+          frame_.palette.terminal_color(which, corners, frame_.options.edge, pixel_, statistics_.texture));
     }
     interior_.clear();
     TraceTree tree;
@@ -170,8 +171,8 @@ class BandWorker {
       return;
     }
     count_terminal_node(which, subpixel.log2_side);
-    tree.add_terminal_node(subpixel.log2_side,
-                           frame_.palette.terminal_color(which, corners, frame_.options.edge, subpixel, statistics_.texture));
+    tree.add_terminal_node(subpixel.log2_side, frame_.palette.terminal_color(which, corners, frame_.options.edge,
+                                                                             subpixel, statistics_.texture));
   }
 
   void count_terminal_node(PyramidCase which, std::uint32_t log2_side) {

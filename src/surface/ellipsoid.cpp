@@ -83,6 +83,8 @@ void Ellipsoid::write_pov(PovWriter& pov) const {
 }
 
 /// Those of the unit sphere that it is mapped from.
-SurfaceCoordinates Ellipsoid::coordinates_at(const glm::dvec3& point) const { return on_sphere((point - center) / radii); }
+SurfaceCoordinates Ellipsoid::coordinates_at(const glm::dvec3& point) const {
+  return on_sphere((point - center) / radii);
+}
 
 }  // namespace pyrasim

@@ -68,6 +68,8 @@ DistanceRange distance_range(const PlaneSurface<double>& plane, const Vector<dou
 }
 
 /// From the point nearest to the origin on.
-SurfaceCoordinates Plane::coordinates_at(const glm::dvec3& point) const { return on_plane(normal, glm::dvec3(0), point); }
+SurfaceCoordinates Plane::coordinates_at(const glm::dvec3& point) const {
+  return on_plane(normal, glm::dvec3(0), point);
+}
 
 }  // namespace pyrasim

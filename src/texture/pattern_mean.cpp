@@ -10,7 +10,7 @@
 namespace pyrasim {
 namespace {
 
-constexpr double most_lines = 1 << 24;  ///< of all four sides
+constexpr double most_lines = 1 << 16;  ///< of all four sides
 
 /// A footprint moved by whole cells, so that the lines next to it are those through 0, and what that does to a wave's
 /// sign.

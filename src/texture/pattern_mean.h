@@ -13,14 +13,14 @@
 namespace pyrasim {
 
 struct PatternMean {
-  double mean;             ///< from 1, the pattern's first colour alone, to -1, its second
+  double mean;              ///< from 1, the pattern's first colour alone, to -1, its second
   std::uint64_t lines = 0;  ///< that the footprint's sides crossed, each a step
 };
 
 /// Of square_wave(u).
 PatternMean mean_of_stripes(const Footprint& footprint);
 
-/// Of square_wave(u) square_wave(v). A footprint whose sides cross more than 2^24 lines has mean 0: the exact one is as
+/// Of square_wave(u) square_wave(v). A footprint whose sides cross more than 2^16 lines has mean 0: the exact one is as
 /// near, but for slivers that run along a diagonal.
 PatternMean mean_of_checker(const Footprint& footprint);
 

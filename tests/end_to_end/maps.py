@@ -37,6 +37,14 @@ class Maps(tool.EndToEnd):
         said = self.ok("render", *FRAME, "--map", "rays=rays.png")
         self.assertRegex(said, "map +rays.png: 1 rays a pixel, dark, to [0-9]+, light")
 
+    def test_the_gallery_shows_every_scene(self):
+        page = (tool.SOURCE / "docs" / "gallery.md").read_text()
+        for scene in SCENES.glob("*.json"):
+            for end in ("", "_cases", "_rays", "_latency"):
+                picture = f"images/gallery/{scene.stem}{end}.png"
+                self.assertIn(f"]({picture})", page)
+                self.assertTrue((tool.SOURCE / "docs" / picture).exists(), picture)
+
     def test_mistakes(self):
         self.refused(USAGE, "render", *FRAME, "--map", "latency=x.png", says="of the kinds cases, rays")
         self.refused(USAGE, "simulate", *FRAME, "--map", "heat=x.png", says="of the kinds cases, rays, latency")

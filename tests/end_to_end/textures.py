@@ -24,7 +24,7 @@ class Textures(tool.EndToEnd):
     def test_a_checkered_plane_to_the_horizon(self):
         """One ray a pixel against 256 of them."""
         scene = self.write("horizon.json", HORIZON)
-        reference = self.picture(scene, "--method", "grid:64")
+        reference = self.picture(scene, "--method", "grid:48", "--threads", "0")
         integral = self.rmse(self.picture(scene, "--max-level", "0"), reference)
         point = self.rmse(self.picture(scene, "--max-level", "0", "--texture", "point"), reference)
         grid = self.rmse(self.picture(scene, "--method", "grid:16"), reference)
