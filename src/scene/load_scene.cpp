@@ -10,6 +10,7 @@
 
 #include "json/json_file.h"
 #include "json/json_reader.h"
+#include "scene/nff_scene.h"
 #include "scene/read_objects.h"
 #include "surface/reading.h"
 
@@ -87,7 +88,7 @@ std::filesystem::path folder_of_meshes(const std::filesystem::path& file) {
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& file) {
-  return read_scene(file, read_json_file(file));
+  return is_nff(file) ? load_nff(file) : read_scene(file, read_json_file(file));
 }
 
 Scene read_scene(const std::filesystem::path& file, const nlohmann::json& document) {
