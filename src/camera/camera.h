@@ -22,6 +22,9 @@ inline constexpr int max_screen_size = 65535;
 /// The same view on another number of pixels: N_z dz (the screen's width), dx and the pixel's aspect stay.
 Screen resized(const Screen& screen, int columns, int rows);
 
+/// The width at distance 1 that an angle at the centre of projection spans. `degrees` is between 0 and 180.
+double width_at_angle(double degrees);
+
 /// The part of a screen that is rendered, pixels. Its pixels are those of the whole screen, bit for bit.
 struct PixelWindow {
   int column = 0;   ///< of the screen, the leftmost in the window
@@ -40,5 +43,11 @@ struct Camera {
 
   PixelWindow rendered() const { return window.value_or(PixelWindow{0, 0, screen.columns, screen.rows}); }
 };
+
+/// Whether `position` and `look_at` are two points.
+bool has_direction(const Camera& camera);
+
+/// Whether `up`, which is not zero, says which way is up: it is not parallel to the viewing direction.
+bool has_up(const Camera& camera);
 
 }  // namespace pyrasim

@@ -9,19 +9,23 @@
 #include "hw_model/machine_spec.h"
 #include "json/json_file.h"
 #include "scene/load_scene.h"
+#include "scene/nff_scene.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
 
+void report(const std::string& file, const Scene& scene) {
+  print_warnings(scene);
+  std::cout << fmt::format("{}: a scene of {} objects on {}x{} pixels\n", one_line(file), scene.objects.size(),
+                           scene.camera.screen.columns, scene.camera.screen.rows);
+}
+
 void check(const std::string& file) {
+  if (is_nff(file)) return report(file, load_nff(file));
   const nlohmann::json document = read_json_file(file);
   if (document.is_object() && (document.contains("camera") || document.contains("objects"))) {
-    const Scene scene = read_scene(file, document);
-    print_warnings(scene);
-    std::cout << fmt::format("{}: a scene of {} objects on {}x{} pixels\n", one_line(file), scene.objects.size(),
-                             scene.camera.screen.columns, scene.camera.screen.rows);
-    return;
+    return report(file, read_scene(file, document));
   }
   const hw::MachineSpec spec = hw::read_machine(file, document);
   std::cout << fmt::format("{}: machine {} with {} intersection units at {} MHz\n", one_line(file), excerpt(spec.name),
@@ -34,7 +38,7 @@ void add_check_command(const Command& program) {
   auto file = std::make_shared<std::string>();
   const Command command = program.add_command("check", "Read a scene or machine file and say what is wrong with it.",
                                               [file] { check(*file); });
-  command.add_text("FILE", *file, "scene or machine file (JSON)").required();
+  command.add_text("FILE", *file, "scene file (JSON or NFF) or machine file (JSON)").required();
 }
 
 }  // namespace pyrasim::cli

@@ -33,7 +33,7 @@ void add_diagram_command(const Command& program) {
   const Command command = program.add_command(
       "diagram", "Print the block diagram of the machine that a scene's frame is simulated on, as Graphviz DOT.",
       [options] { options->run(); });
-  command.add_text("SCENE", options->scene, "scene file (JSON)").required();
+  command.add_text("SCENE", options->scene, "scene file (JSON or NFF)").required();
   add_max_level_option(command, options->max_level);
   options->machine.add(command);
 }

@@ -32,7 +32,7 @@ DatapathFormats FrameOptions::formats(const Screen& screen, std::int64_t steps) 
 }
 
 void add_scene_options(const Command& command, FrameOptions& options) {
-  command.add_text("SCENE", options.scene, "scene file (JSON)").required();
+  command.add_text("SCENE", options.scene, "scene file (JSON or NFF)").required();
   command.add_text("--size", options.size, "pixels of the screen; its width, distance and the pixel's aspect stay")
       .type_name("COLUMNSxROWS");
 }

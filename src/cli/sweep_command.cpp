@@ -167,7 +167,7 @@ void add_sweep_command(const Command& program) {
       "Simulate every combination of scene, size, setting, level and edge, and measure each against a reference; a row "
       "is written as soon as it is done.",
       [options] { options->run(); });
-  command.add_arguments("SCENE", options->scenes, "scene files (JSON)").required();
+  command.add_arguments("SCENE", options->scenes, "scene files (JSON or NFF)").required();
   command.add_text("--max-level", options->frames.levels, "levels").type_name("FIRST:LAST|L,L,...").show_default();
   command.add_text("--size", options->frames.sizes, "screens; the scene's without it").type_name("COLUMNSxROWS,...");
   command.add_text("--edge", options->frames.edges, "mean, drop or both").type_name("mean,drop").show_default();

@@ -4,34 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <system_error>
-#include <type_traits>
 #include <utility>
 
 #include "error.h"
-#include "mesh/obj_lines.h"
 #include "mesh/obj_unread.h"
 #include "numeric/length_range.h"
+#include "text/parse_number.h"
 #include "text/printable.h"
+#include "text/text_lines.h"
 
 namespace pyrasim {
 namespace {
-
-/// Reads the whole of `word`, a leading plus included. A number too small or too large for its type is read as 0 or
-/// infinity; an integer must fit.
-template <class T>
-bool parse_whole(std::string_view word, T& value) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if constexpr (std::is_floating_point_v<T>) {
-    if (error == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr);
-    return error != std::errc::invalid_argument && end == word.data() + word.size();
-  }
-  return error == std::errc() && end == word.data() + word.size();
-}
 
 class ObjChecker {
  public:
@@ -40,7 +24,7 @@ class ObjChecker {
   ObjOutline check(std::string_view text) {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) fail(1, "it is UTF-16", "UTF-8 is allowed");
     outline_.plain.reserve(text.size());
-    ObjLines lines(text);
+    TextLines lines(text);
     while (lines.next()) {
       line_ = lines.number();
       check_line(lines.line());

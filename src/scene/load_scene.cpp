@@ -3,32 +3,25 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "json/json_file.h"
 #include "json/json_reader.h"
-#include "numeric/vectors.h"
+#include "scene/nff_scene.h"
 #include "scene/read_objects.h"
 #include "surface/reading.h"
 
 namespace pyrasim {
 namespace {
 
-/// The smallest angle between the viewing direction and `up`, radians.
-constexpr double min_up_angle = 1e-9;
-
 /// dx, dy and dz from the angle between the screen's left and right sides.
 void apply_field_of_view(const JsonReader& reader, Screen& screen) {
   const double degrees = reader.number({0, 180, true});
   screen.dx = 1;
-  screen.dz = 2 * std::tan(degrees / 2 * std::numbers::pi / 180) / screen.columns;
+  screen.dz = width_at_angle(degrees) / screen.columns;
   screen.dy = screen.dz;
   if (screen.dz < min_length) reader.fail("the angle is too small", "pixels of at least 1e-30 are needed");
 }
@@ -59,14 +52,8 @@ Screen read_screen(const JsonReader& reader) {
 
 /// Fails unless the camera's three members span a frame.
 void check_camera(const JsonReader& reader, const Camera& camera) {
-  const glm::dvec3 view = camera.look_at - camera.position;
-  const double distance = largest(view);
-  if (distance < min_length) {
-    reader.fail("look_at is the same point as position", "two different points are needed");
-  }
-  const glm::dvec3 forward = glm::normalize(view / distance);
-  const glm::dvec3 up = glm::normalize(camera.up / largest(camera.up));
-  if (glm::length(glm::cross(forward, up)) < min_up_angle) {
+  if (!has_direction(camera)) reader.fail("look_at is the same point as position", "two different points are needed");
+  if (!has_up(camera)) {
     reader.fail("up is parallel to the viewing direction", "an angle between them other than 0 and 180 is needed");
   }
 }
@@ -100,7 +87,9 @@ std::filesystem::path folder_of_meshes(const std::filesystem::path& file) {
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file) { return read_scene(file, read_json_file(file)); }
+Scene load_scene(const std::filesystem::path& file) {
+  return is_nff(file) ? load_nff(file) : read_scene(file, read_json_file(file));
+}
 
 Scene read_scene(const std::filesystem::path& file, const nlohmann::json& document) {
   const JsonReader root(file.string(), document);

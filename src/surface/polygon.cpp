@@ -14,7 +14,6 @@
 namespace pyrasim {
 namespace {
 
-constexpr std::size_t max_vertices = 4096;
 /// Of the polygon's size and its coordinates, what decimal numbers and their rounding may leave of a flat polygon.
 constexpr double flat = 1e-9;
 
@@ -33,14 +32,16 @@ double size_of(const std::vector<glm::dvec3>& vertices) {
   return size;
 }
 
-void check(const JsonReader& reader, const std::vector<glm::dvec3>& vertices) {
+}  // namespace
+
+std::optional<Polygon::Fault> Polygon::fault() const {
   const double size = size_of(vertices);
   double reach = 0;
   for (const glm::dvec3& vertex : vertices) reach = std::max(reach, largest(vertex));
   const double rounding = flat * size + 8 * epsilon<double>() * reach;
   const glm::dvec3 area = area_vector(vertices);
   if (!(length(area) > rounding * size)) {
-    reader.fail("the polygon has no area", "vertices that are not on one line, once around, are needed");
+    return Fault{"the polygon has no area", "vertices that are not on one line, once around, are needed"};
   }
   const glm::dvec3 normal = normalized(area);
   double turned = 0;
@@ -49,29 +50,28 @@ void check(const JsonReader& reader, const std::vector<glm::dvec3>& vertices) {
     const glm::dvec3 in = here - vertices[(k + vertices.size() - 1) % vertices.size()];
     const glm::dvec3 out = vertices[(k + 1) % vertices.size()] - here;
     if (std::abs(dot(normal, here - vertices[0])) > rounding) {
-      reader.fail(fmt::format("vertex {} is not in the plane of the others", k), "a flat polygon is needed");
+      return Fault{fmt::format("vertex {} is not in the plane of the others", k), "a flat polygon is needed"};
     }
     if (length(out) < min_length) {
-      reader.fail(fmt::format("vertex {} is repeated", k), "vertices have to lie apart");
+      return Fault{fmt::format("vertex {} is repeated", k), "vertices have to lie apart"};
     }
     const double sine = dot(normal, cross(in, out));
     if (sine < -rounding * std::max(length(in), length(out))) {
-      reader.fail(fmt::format("the polygon is bent inwards at vertex {}", k), "a convex polygon is needed");
+      return Fault{fmt::format("the polygon is bent inwards at vertex {}", k), "a convex polygon is needed"};
     }
     turned += std::atan2(sine, dot(in, out));
   }
   if (turned > 9) {  // once around is 2 pi
-    reader.fail("the polygon goes around more than once", "a convex polygon is needed");
+    return Fault{"the polygon goes around more than once", "a convex polygon is needed"};
   }
+  return std::nullopt;
 }
-
-}  // namespace
 
 Polygon Polygon::read(const JsonReader& reader, const SceneReading&) {
   const JsonReader list = reader.member("vertices");
   Polygon polygon;
   for (const JsonReader& vertex : list.elements(3, max_vertices)) polygon.vertices.push_back(vertex.vec3(coordinates));
-  check(list, polygon.vertices);
+  if (const auto fault = polygon.fault()) list.fail(fault->wrong, fault->allowed);
   return polygon;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,7 +19,18 @@ struct Polygon {
   static constexpr std::string_view type = "polygon";
   static constexpr std::array<std::string_view, 1> keys{"vertices"};
 
+  /// That a scene file may give.
+  static constexpr std::size_t max_vertices = 4096;
+
+  struct Fault {
+    std::string wrong;
+    std::string_view allowed;
+  };
+
   std::vector<glm::dvec3> vertices;  ///< once around
+
+  /// Why its vertices, three or more, are not those of a flat and convex polygon; nothing where they are.
+  std::optional<Fault> fault() const;
 
   static Polygon read(const JsonReader& reader, const SceneReading& reading);
   Polygon transformed(const AffineMap& map) const;

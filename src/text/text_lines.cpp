@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/obj_lines.h"
+#include "text/text_lines.h"
 
 #include <algorithm>
 
@@ -10,12 +10,12 @@ constexpr std::string_view blanks = " \t\v\f";
 
 }  // namespace
 
-ObjLines::ObjLines(std::string_view text) : rest_(text) {
+TextLines::TextLines(std::string_view text) : rest_(text) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
 }
 
-bool ObjLines::next() {
+bool TextLines::next() {
   if (rest_.empty()) return false;
   number_ += pieces_;
   pieces_ = 1;
@@ -32,7 +32,7 @@ bool ObjLines::next() {
   return true;
 }
 
-ObjLines::Piece ObjLines::next_piece() {
+TextLines::Piece TextLines::next_piece() {
   const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
   const std::string_view line = rest_.substr(0, end);
   rest_.remove_prefix(std::min(end + (rest_.substr(end, 2) == "\r\n" ? 2 : 1), rest_.size()));

@@ -7,12 +7,12 @@
 
 namespace pyrasim {
 
-/// The lines of an OBJ text as its readers take them: ended by LF, CR or both, without comments (from `#` on), and
+/// The lines of a text of words, as of an OBJ or NFF file: ended by LF, CR or both, without comments (from `#` on), and
 /// joined to the next one where a backslash is the last character but blanks. A byte-order mark in front is passed
 /// over.
-class ObjLines {
+class TextLines {
  public:
-  explicit ObjLines(std::string_view text);
+  explicit TextLines(std::string_view text);
 
   /// Goes to the next line; false behind the last one.
   bool next();
