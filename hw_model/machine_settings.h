@@ -49,6 +49,7 @@ void for_each_setting(Spec& spec, const Visit& visit) {
   stage("color_unit", spec.color_unit);
   visit("color_unit.cost.place", spec.texture_cost.place, cost);
   visit("color_unit.cost.line", spec.texture_cost.line, cost);
+  visit("color_unit.cost.texel", spec.texture_cost.texel, cost);
   stage("tree_accumulator", spec.tree_accumulator);
   visit("tree_accumulator.pixels", spec.pixels_in_flight, IntegerRange{1, 1'000'000});
   visit("frame_buffer.interval", spec.frame_buffer_interval, cycles);

@@ -62,10 +62,11 @@ struct ShadowTiming {
 struct TextureCost {
   Cycle place = 2;  ///< for each ray whose place on the texture is worked out
   Cycle line = 1;   ///< for each step of a pattern's integral
+  Cycle texel = 2;  ///< for each of a picture's
   friend bool operator==(const TextureCost&, const TextureCost&) = default;
 };
 inline Cycle cost_of(const TextureWork& work, const TextureCost& cost) {
-  return cost.place * work.places + cost.line * work.lines;
+  return cost.place * work.places + cost.line * work.lines + cost.texel * work.texels;
 }
 
 /// Which intersection unit gets the next ray.

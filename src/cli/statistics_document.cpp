@@ -71,7 +71,9 @@ void add_counts(ordered_json& document, const FrameStatistics& statistics, int m
   document["terminal_nodes"] = statistics.terminal_nodes;
   document["work"] = tests_document(statistics.work);
   document["work"]["shadow"] = tests_document(statistics.work.shadow.tests);
-  document["work"]["texture"] = {{"places", statistics.texture.places}, {"lines", statistics.texture.lines}};
+  document["work"]["texture"] = {{"places", statistics.texture.places},
+                                 {"lines", statistics.texture.lines},
+                                 {"texels", statistics.texture.texels}};
 }
 
 ordered_json events_document(const ArithmeticEvents& events) {

@@ -49,6 +49,7 @@ template <MaybeConst<TextureWork> Self>
 void for_each_field(Self& its, const auto& visit) {
   visit("places", its.places);
   visit("lines", its.lines);
+  visit("texels", its.texels);
 }
 
 template <MaybeConst<FrameStatistics> Self>

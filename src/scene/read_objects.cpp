@@ -85,13 +85,14 @@ class Shapes {
   }
 
   /// A texture on a surface as it was written. Throws InputError.
-  static std::shared_ptr<const ObjectTexture> textured(const Shape& shape, const JsonReader& texture) {
+  static std::shared_ptr<const ObjectTexture> textured(const Shape& shape, const JsonReader& texture,
+                                                       TextureReader& textures) {
     const bool mesh =
         std::holds_alternative<Mesh>(*shape.surface) || std::holds_alternative<MeshInstance>(*shape.surface);
     if (mesh)
       texture.fail("a mesh has no coordinates that a texture could be laid out by", "other surfaces may have textures");
     return std::make_shared<const ObjectTexture>(
-        ObjectTexture{read_texture(texture), shape.surface, shape.map.value_or(AffineMap())});
+        ObjectTexture{textures.read(texture), shape.surface, shape.map.value_or(AffineMap())});
   }
 
  private:
@@ -177,6 +178,7 @@ class Shapes {
 std::vector<Object> read_objects(const JsonReader& scene, const SceneReading& reading) {
   Shapes shapes(scene, reading);
   SurfaceNumbers numbers;
+  TextureReader textures(reading.folder, reading.files);
   std::vector<Object> objects;
   const Keys keys{"name", "type", "color", "shadow", "transform", "texture"};
   const JsonElements elements = scene.member("objects").elements();
@@ -188,7 +190,7 @@ std::vector<Object> read_objects(const JsonReader& scene, const SceneReading& re
                                : reader.member("color").vec3(color_components);
     objects.push_back({reader.optional_string("name").value_or(""), color, Shapes::place(shape, reader),
                        reader.optional_boolean("shadow").value_or(true)});
-    if (texture) objects.back().texture = Shapes::textured(shape, *texture);
+    if (texture) objects.back().texture = Shapes::textured(shape, *texture, textures);
     numbers.count(objects.back().surface, reader);
   }
   return objects;

@@ -1,12 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "json/json_reader.h"
 #include "texture/texture.h"
 
 namespace pyrasim {
 
-/// Throws InputError.
-Texture read_texture(const JsonReader& reader);
+/// Reads the textures of a scene; each picture once.
+class TextureReader {
+ public:
+  /// Files are looked for in `folder`, and added to `files`.
+  TextureReader(std::filesystem::path folder, std::vector<std::string>& files)
+      : folder_(std::move(folder)), files_(files) {}
+
+  /// Throws InputError, and LimitError for a picture that is too large.
+  Texture read(const JsonReader& reader);
+
+ private:
+  std::shared_ptr<const ImageTexture> picture(const JsonReader& file, Wrap wrap);
+
+  std::filesystem::path folder_;
+  std::vector<std::string>& files_;
+  std::map<std::pair<std::string, Wrap>, std::shared_ptr<const ImageTexture>> pictures_;
+};
 
 }  // namespace pyrasim

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "texture/simple_footprint.h"
 #include "texture/square_wave.h"
 
 namespace pyrasim {
@@ -80,31 +81,13 @@ double mean_of_simple_stripes(const Footprint& footprint) {
   return std::clamp(2 * integral / twice_area(footprint), -1.0, 1.0);
 }
 
-/// A footprint that has no area to speak of is the mean of its corners; one that crosses itself its two triangles.
-template <class Mean, class Point>
-double mean_of(const Footprint& footprint, const Mean& mean, const Point& point) {
-  const auto [a, b, c, d] = footprint;
-  const double first = twice_area({a, b, c, c});
-  const double second = twice_area({a, c, d, d});
-  const double size = std::max({std::abs(b.u - a.u), std::abs(b.v - a.v), std::abs(c.u - a.u), std::abs(c.v - a.v),
-                                std::abs(d.u - a.u), std::abs(d.v - a.v)});
-  const double least = 1e-13 * size * size;
-  const auto has_area = [&](double area) { return std::abs(area) > least; };
-  if (!has_area(first) && !has_area(second)) return (point(a) + point(c) + (point(b) + point(d))) / 4;
-  if (first * second >= 0) return mean(footprint);
-  double sum = 0;
-  if (has_area(first)) sum += std::abs(first) * mean(Footprint{a, b, c, c});
-  if (has_area(second)) sum += std::abs(second) * mean(Footprint{a, c, d, d});
-  return sum / (std::abs(first) + std::abs(second));
-}
-
 }  // namespace
 
 PatternMean mean_of_stripes(const Footprint& footprint) {
   const Moved moved(footprint);
   if (lines_of_v(exchanged(moved.footprint)) == 0) return {square_wave(footprint[0].u)};
-  return {moved.sign_of_u * mean_of(moved.footprint, mean_of_simple_stripes,
-                                    [](const TexturePoint& point) { return square_wave(point.u); })};
+  return {moved.sign_of_u * mean_of_any(moved.footprint, mean_of_simple_stripes,
+                                        [](const TexturePoint& point) { return square_wave(point.u); })};
 }
 
 /// Steps over the lines of v, or of u where these are fewer; but where it lies between two lines of u, over the others.
@@ -118,8 +101,8 @@ PatternMean mean_of_checker(const Footprint& footprint) {
   const double lines = exchange ? of_u : of_v;
   if (!(lines <= most_lines)) return {0};
   return {moved.sign_of_u * moved.sign_of_v *
-              mean_of(near, mean_of_simple_checker,
-                      [](const TexturePoint& point) { return square_wave(point.u) * square_wave(point.v); }),
+              mean_of_any(near, mean_of_simple_checker,
+                          [](const TexturePoint& point) { return square_wave(point.u) * square_wave(point.v); }),
           static_cast<std::uint64_t>(lines)};
 }
 

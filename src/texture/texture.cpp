@@ -27,11 +27,13 @@ TexturePoint Texture::cell(double u, double v) const {
 }
 
 glm::dvec3 Texture::at(const TexturePoint& place) const {
+  if (image) return image->at(place);
   const double along_v = pattern == Pattern::checker ? square_wave(place.v) : 1;
   return mixed(colors, square_wave(place.u) * along_v);
 }
 
 glm::dvec3 Texture::mean(const Footprint& footprint, TextureWork& work) const {
+  if (image) return image->mean(footprint, work);
   const auto [mean, lines] = pattern == Pattern::checker ? mean_of_checker(footprint) : mean_of_stripes(footprint);
   work.lines += lines;
   return mixed(colors, mean);

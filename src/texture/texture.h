@@ -4,23 +4,28 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 
 #include "texture/footprint.h"
+#include "texture/image_texture.h"
 #include "texture/texture_work.h"
 
 namespace pyrasim {
 
+/// What a texture is.
 enum class Pattern : std::uint8_t {
   checker,  ///< squares of two colours in turn along both axes
   stripes,  ///< of two colours in turn along u
+  image,    ///< a picture
 };
 
-/// Two colours that a surface has in turn, laid out by its coordinates (surface_coordinates.h): the cell from 0 to
-/// `scale` has the first, is turned counterclockwise about 0, and then shifted.
+/// Two colours that a surface has in turn, or a picture, laid out by its coordinates (surface_coordinates.h): the cell
+/// from 0 to `scale` has the first colour, or the picture; it is turned counterclockwise about 0, and then shifted.
 struct Texture {
   Pattern pattern = Pattern::checker;
   std::array<glm::dvec3, 2> colors{};  ///< linear RGB
-  std::array<double, 2> scale{1, 1};   ///< of one cell, in the surface's coordinates
+  std::shared_ptr<const ImageTexture> image{};
+  std::array<double, 2> scale{1, 1};  ///< of one cell, in the surface's coordinates
   std::array<double, 2> shift{0, 0};
   double turn = 0;  ///< degrees
 
@@ -31,7 +36,7 @@ struct Texture {
   /// The mean over a footprint in cells, exactly (pattern_mean.h); adds the steps that it took.
   glm::dvec3 mean(const Footprint& footprint, TextureWork& work) const;
   /// Over all of it.
-  glm::dvec3 mean() const { return (colors[0] + colors[1]) * 0.5; }
+  glm::dvec3 mean() const { return image ? image->mean() : (colors[0] + colors[1]) * 0.5; }
 };
 
 /// What a terminal node takes of a texture.

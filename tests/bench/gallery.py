@@ -5,6 +5,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 SIZE = "320x240"
 SCENES = {
@@ -22,6 +23,14 @@ SCENES = {
     "blocks": "Boxes, discs and balls.",
     "bunny": "A mesh of 69,666 triangles, one object: levels do next to nothing inside its outline.",
 }
+DATABASES = {  # of tools/generate, at their published sizes
+    "balls": (4, "A sphereflake: 7,381 spheres and a floor, under three lights."),
+    "gears": (4, "Meshed gears: polygons of 144 corners and 4."),
+    "mount": (6, "A fractal mountain of 8,192 triangles, and four spheres."),
+    "rings": (7, "Interlaced pentagons of cylinders and spheres, piled up to a pyramid."),
+    "tetra": (6, "A Sierpinski tetrahedron of 4,096 triangles."),
+    "tree": (11, "A tree of cones and spheres."),
+}
 MAPS = ("cases", "rays", "latency")
 HEAD = """# Gallery
 
@@ -32,18 +41,29 @@ pixel asked for; and how many cycles each pixel took from its first ray on. All 
 
 which runs, for each NAME,
 
-    pyrasim simulate scenes/NAME.json --size {size} -o NAME.png --map cases=NAME_cases.png --map rays=NAME_rays.png --map latency=NAME_latency.png --stats NAME.json
+    pyrasim simulate scenes/NAME.json --size {size} --max-level 3 -o NAME.png --map cases=NAME_cases.png --map rays=NAME_rays.png --map latency=NAME_latency.png --stats NAME.json
 
 In a case map night blue is a pixel that sees nothing, steel blue one that sees one object; nodes of a divided pixel are the
 more orange the deeper they lie, and an edge that is left at the deepest level is light yellow. The other maps run from
-dark (the least of the frame) over red to light yellow (the most), by logarithms.
+dark (the least of the frame) over red to light yellow (the most), by logarithms. The last six are databases that
+`tools/generate NAME SIZE > NAME.nff` writes, 240x240 pixels.
 """
 
 
-def simulate(program, name, folder):
+def scene_of(name, folder):
+    """Its file, made in `folder` where it is a database's; and its size."""
+    if name in SCENES:
+        return f"scenes/{name}.json", SIZE
+    file = f"{folder}/{name}.nff"
+    with open(file, "w") as output:
+        subprocess.run(["tools/generate", name, str(DATABASES[name][0])], check=True, stdout=output)
+    return file, "240x240"
+
+
+def simulate(program, name, scene, size, folder):
     """The statistics of the frame, whose pictures go into `folder`."""
     maps = [word for kind in MAPS for word in ("--map", f"{kind}={folder}/{name}_{kind}.png")]
-    run = subprocess.run([program, "simulate", f"scenes/{name}.json", "--size", SIZE, "-o", f"{folder}/{name}.png", *maps,
+    run = subprocess.run([program, "simulate", scene, "--size", size, "-o", f"{folder}/{name}.png", *maps,
                           "--stats", "-"], check=True, capture_output=True, text=True)
     return json.loads(run.stdout)
 
@@ -63,21 +83,24 @@ def section(name, caption, document, folder):
 
 def main():
     program, *names = sys.argv[1:]
-    unknown = [name for name in names if name not in SCENES]
+    captions = SCENES | {name: caption for name, (_, caption) in DATABASES.items()}
+    unknown = [name for name in names if name not in captions]
     if unknown:
-        sys.exit(f"gallery: there is no {unknown[0]!r}; of {', '.join(SCENES)} any are allowed")
+        sys.exit(f"gallery: there is no {unknown[0]!r}; of {', '.join(captions)} any are allowed")
     folder = pathlib.Path("docs/images/gallery")
     folder.mkdir(parents=True, exist_ok=True)
     page = pathlib.Path("docs/gallery.md")
     old = page.read_text().split("\n## ") if names and page.exists() else []
     kept = {text.split("\n", 1)[0]: "\n## " + text for text in old[1:]}
     sections = []
-    for name, caption in SCENES.items():
+    for name, caption in captions.items():
         if names and name not in names and name in kept:
             sections.append(kept[name])
             continue
         print(name, file=sys.stderr)
-        sections.append(section(name, caption, simulate(program, name, folder), "images/gallery"))
+        with tempfile.TemporaryDirectory() as made:
+            document = simulate(program, name, *scene_of(name, made), folder)
+        sections.append(section(name, caption, document, "images/gallery"))
     page.write_text(HEAD.format(size=SIZE) + "".join(text.rstrip("\n") + "\n" for text in sections))
 
 

@@ -70,7 +70,12 @@ class Schemas(tool.EndToEnd):
         changes = [(["objects", last, "texture", *path], value) for path, value in (
             (["type"], "dots"), (["colors"], [[1, 1, 1]]), (["colors"], None), (["scale"], [0, 1]), (["scale"], 2),
             (["shift"], [1]), (["turn"], "30"), (["file"], "x.png"))]
-        changes += [(["objects", last, "texture"], None)]
+        changes += [(["objects", last, "texture"], None), (["objects", last, "texture", "type"], "image")]
+        picture = tool.SOURCE / "docs/images/keel_crop.png"
+        image = changed(scene, ["objects", last, "texture"], {"type": "image", "file": str(picture), "wrap": "clamp"})
+        self.ok("check", self.write("image.json", image))
+        self.assert_refused(validator, image, [(["objects", last, "texture", *path], value) for path, value in (
+            (["wrap"], "mirror"), (["file"], "x.jpg"), (["file"], None), (["colors"], [[1, 1, 1], [0, 0, 0]]))])
         self.assert_refused(validator, scene, changes)
         for path, value in changes:
             self.refused(tool.INPUT, "check", self.write("wrong.json", changed(scene, path, value)), says="wrong.json: /")
@@ -127,7 +132,7 @@ class Schemas(tool.EndToEnd):
                 yield path, node
 
         found = list(settings(document, []))
-        self.assertEqual(len(found), 50)
+        self.assertEqual(len(found), 51)
         for path, node in found:
             def file_with(value, path=path):
                 nested = value

@@ -29,7 +29,9 @@ SHADOWED = SCENE | {"lights": [{"type": "directional", "direction": [1, -1, 1], 
 
 # For the texture part of the colour unit.
 TEXTURED = SCENE | {"objects": [thing | {"texture": {"type": "checker", "colors": [[1, 1, 1], [0, 0, 0]]}}
-                                if thing["type"] == "plane" else thing for thing in SCENE["objects"]]}
+                                if thing["type"] == "plane" else thing for thing in SCENE["objects"]] +
+                    [{"type": "sphere", "center": [7, 0, 0], "radius": 1, "texture":
+                      {"type": "image", "file": str(SOURCE / "docs/images/keel_crop.png")}}]}
 
 # What a setting needs beside it to matter.
 BESIDE = {"intersection.issue_order_queue": ['intersection.dispatch="first_free"'],

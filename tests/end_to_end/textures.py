@@ -32,6 +32,19 @@ class Textures(tool.EndToEnd):
         self.assertLess(integral, 1.5 * grid)
         self.assertLess(integral, point / 4)
 
+    def test_a_picture_is_what_it_was(self):
+        """A picture on a wall, seen pixel by texel."""
+        self.ok("render", tool.SCENES / "keel.json", "--size", "40x30", "-o", "keel.png")
+        self.ok("render", tool.SCENES / "keel.json", "--size", "40x30", "-o", "keel.pfm")
+        wall = {"type": "plane", "normal": [-1, 0, 0], "offset": -1,
+                "texture": {"type": "image", "file": "keel.png", "scale": [40, 30], "shift": [-20, -15]}}
+        scene = {"camera": {"screen": {"columns": 40, "rows": 30, "dx": 1, "dy": 1, "dz": 1}}, "objects": [wall]}
+        seen = self.picture(self.write("wall.json", scene), "--max-level", "0")
+        original = tool.pfm_values(self.folder / "keel.pfm")
+        self.assertLess(max(abs(a - b) for a, b in zip(seen, original)), 0.005)  # 8 bits, sRGB
+        work = self.stats("simulate", self.folder / "wall.json", "--max-level", "0")["work"]["texture"]
+        self.assertEqual(work["places"], 4 * 40 * 30)
+
     def test_color_multiplies(self):
         objects = [HORIZON["objects"][0] | {"color": [1, 0.5, 0]}]
         plain = self.picture(self.write("plain.json", HORIZON))
@@ -70,6 +83,11 @@ class Textures(tool.EndToEnd):
         refused(CHECKER | {"scale": [1, 0]}, "/objects/0/texture/scale/1")
         refused(CHECKER | {"colors": [[1, 1, 1]]}, "/objects/0/texture/colors")
         refused(CHECKER | {"size": 1}, "/objects/0/texture/size: unknown key")
+        refused({"type": "image", "file": "none.png"}, "none.png")
+        refused({"type": "image", "file": "none.jpg"}, "/objects/0/texture/file: it is no PNG file by its name")
+        refused({"type": "image", "file": "x.png", "colors": []}, "/objects/0/texture/colors: unknown key")
+        self.write("broken.png", b"\x89PNG\r\n\x1a\n and no more")
+        refused({"type": "image", "file": "broken.png"}, "broken.png")
         mesh = {"type": "mesh", "file": str(tool.SCENES / "keel_fin.obj"), "texture": CHECKER}
         self.refused(tool.INPUT, "check", self.write("wrong.json", tool.scene([mesh])),
                      says="/objects/0/texture: a mesh has no coordinates")

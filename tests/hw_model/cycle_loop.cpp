@@ -366,8 +366,8 @@ struct ColorUnit final : Box {
     const TerminalMessage node = board.terminals.read(now);
     TextureWork work;
     board.palette.terminal_color(node.which, node.corners, EdgePolicy::mean, node.cell, work);
-    const auto& [place, line] = board.spec.texture_cost;
-    const Cycle cost = place * work.places + line * work.lines;
+    const auto& [place, line, texel] = board.spec.texture_cost;
+    const Cycle cost = place * work.places + line * work.lines + texel * work.texels;
     board.colors.write(now, {{}, node.tag, node.cell.log2_side}, cost);
     return board.spec.color_unit.interval + cost;
   }

@@ -28,7 +28,7 @@ inline MachineSpec random_machine(std::mt19937_64& random, int max_level) {
   spec.subdivision_controller = timing();
   spec.subdivision_pool = required_pool(max_level) + from(0, from(0, 40));
   spec.color_unit = timing();
-  spec.texture_cost = {from(0, 8), from(0, 4)};
+  spec.texture_cost = {from(0, 8), from(0, 4), from(0, 4)};
   spec.tree_accumulator = timing();
   spec.pixels_in_flight = from(1, from(1, 300));
   spec.frame_buffer_interval = timing().interval;

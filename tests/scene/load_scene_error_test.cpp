@@ -63,7 +63,7 @@ TEST_F(LoadSceneError, UnknownKeys) {
   EXPECT_EQ(error_with("/objects/2/radius", "1"),
             ": /objects/2/radius: unknown key; allowed keys: name, type, color, shadow, transform, vertices");
   EXPECT_EQ(error_with("/objects/0", R"({"type": "mesh", "file": "m.obj", "color": [1, 1, 1], "x": 0})"),
-            ": /objects/0/x: unknown key; allowed keys: name, type, color, shadow, transform, file");
+            ": /objects/0/x: unknown key; allowed keys: name, type, color, shadow, transform, texture, file");
 }
 
 /// The message for lights in place of the good scene's light.

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../numeric/extremes/formats.h"
+#include "clipped_area.h"
 #include "texture/square_wave.h"
 
 namespace pyrasim {
@@ -17,77 +17,8 @@ namespace {
 double checker_mean(const Footprint& footprint) { return mean_of_checker(footprint).mean; }
 double stripes_mean(const Footprint& footprint) { return mean_of_stripes(footprint).mean; }
 
-using Outline = std::vector<TexturePoint>;
-
-/// What lies on one side of a line u or v = `at`.
-template <class Coordinate>
-Outline clipped(const Outline& outline, Coordinate coordinate, double at, double side) {
-  Outline result;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const TexturePoint& a = outline[k];
-    const TexturePoint& b = outline[(k + 1) % outline.size()];
-    const double of_a = side * (coordinate(a) - at);
-    const double of_b = side * (coordinate(b) - at);
-    if (of_a >= 0) result.push_back(a);
-    if (of_a * of_b < 0) {
-      const double share = of_a / (of_a - of_b);
-      result.push_back({a.u + share * (b.u - a.u), a.v + share * (b.v - a.v)});
-    }
-  }
-  return result;
-}
-
-double area(const Outline& outline) {
-  double sum = 0;
-  for (std::size_t k = 2; k < outline.size(); ++k) {
-    const TexturePoint& a = outline[0];
-    const TexturePoint& b = outline[k - 1];
-    const TexturePoint& c = outline[k];
-    sum += 0.5 * ((b.u - a.u) * (c.v - a.v) - (c.u - a.u) * (b.v - a.v));
-  }
-  return sum;
-}
-
 double mean_by_cells(const Footprint& footprint, bool checker) {
-  const auto u = [](const TexturePoint& p) { return p.u; };
-  const auto v = [](const TexturePoint& p) { return p.v; };
-  const auto range = [&](const auto& coordinate) {
-    const auto [low, high] = std::minmax_element(footprint.begin(), footprint.end(), [&](const auto& a, const auto& b) {
-      return coordinate(a) < coordinate(b);
-    });
-    return std::pair(std::floor(coordinate(*low)), coordinate(*high));
-  };
-  double sum = 0;
-  double all = 0;
-  const auto [first_u, last_u] = range(u);
-  const auto [first_v, last_v] = range(v);
-  for (double i = first_u; i <= last_u; ++i) {
-    const Outline column = clipped(clipped({footprint.begin(), footprint.end()}, u, i, 1), u, i + 1, -1);
-    for (double j = first_v; j <= last_v; ++j) {
-      const double part = area(clipped(clipped(column, v, j, 1), v, j + 1, -1));
-      all += part;
-      sum += part * square_wave(i) * (checker ? square_wave(j) : 1);
-    }
-  }
-  return sum / all;
-}
-
-/// A square, its corners displaced, stretched to a parallelogram, either way around, about a place near `place`.
-Footprint random_footprint(Random& random, const TexturePoint& place, double size) {
-  const double long_side = size * std::exp2(random.uniform(-1, 1));
-  const double short_side = long_side * std::exp2(random.uniform(-8, 0));
-  const double angle = random.uniform(0, 7);
-  const TexturePoint along{long_side * std::cos(angle), long_side * std::sin(angle)};
-  const TexturePoint across{-short_side * std::sin(angle), short_side * std::cos(angle)};
-  constexpr std::array<std::array<double, 2>, 4> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  Footprint footprint;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double x = square[k][0] - 0.5 + random.uniform(-0.2, 0.2);
-    const double y = square[k][1] - 0.5 + random.uniform(-0.2, 0.2);
-    footprint[k] = {place.u + x * along.u + y * across.u, place.v + x * along.v + y * across.v};
-  }
-  if (random.below(2) == 0) std::reverse(footprint.begin(), footprint.end());
-  return footprint;
+  return mean_by_cells(footprint, [=](double i, double j) { return square_wave(i) * (checker ? square_wave(j) : 1); });
 }
 
 TEST(PatternMean, IsTheSumOverCellsWhateverTheSize) {
