@@ -56,12 +56,14 @@ TEST_F(LoadSceneError, UnknownKeys) {
   EXPECT_EQ(error_with("/camera/screen/width", "1"),
             ": /camera/screen/width: unknown key; allowed keys: columns, rows, dx, dy, dz, horizontal_fov");
   EXPECT_EQ(error_with("/light/color", "1"), ": /light/color: unknown key; allowed keys: ambient, direction");
-  EXPECT_EQ(error_with("/objects/0/normal", "1"),
-            ": /objects/0/normal: unknown key; allowed keys: name, type, color, shadow, transform, center, radius");
-  EXPECT_EQ(error_with("/objects/1/radius", "1"),
-            ": /objects/1/radius: unknown key; allowed keys: name, type, color, shadow, transform, normal, offset");
+  EXPECT_EQ(
+      error_with("/objects/0/normal", "1"),
+      ": /objects/0/normal: unknown key; allowed keys: name, type, color, shadow, transform, texture, center, radius");
+  EXPECT_EQ(
+      error_with("/objects/1/radius", "1"),
+      ": /objects/1/radius: unknown key; allowed keys: name, type, color, shadow, transform, texture, normal, offset");
   EXPECT_EQ(error_with("/objects/2/radius", "1"),
-            ": /objects/2/radius: unknown key; allowed keys: name, type, color, shadow, transform, vertices");
+            ": /objects/2/radius: unknown key; allowed keys: name, type, color, shadow, transform, texture, vertices");
   EXPECT_EQ(error_with("/objects/0", R"({"type": "mesh", "file": "m.obj", "color": [1, 1, 1], "x": 0})"),
             ": /objects/0/x: unknown key; allowed keys: name, type, color, shadow, transform, texture, file");
 }
