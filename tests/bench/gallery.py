@@ -41,7 +41,7 @@ pixel asked for; and how many cycles each pixel took from its first ray on. All 
 
 which runs, for each NAME,
 
-    pyrasim simulate scenes/NAME.json --size {size} --max-level 3 -o NAME.png --map cases=NAME_cases.png --map rays=NAME_rays.png --map latency=NAME_latency.png --stats NAME.json
+    pyrasim simulate scenes/NAME.json --size {size} -o NAME.png --map cases=NAME_cases.png --map rays=NAME_rays.png --map latency=NAME_latency.png --stats -
 
 In a case map night blue is a pixel that sees nothing, steel blue one that sees one object; nodes of a divided pixel are the
 more orange the deeper they lie, and an edge that is left at the deepest level is light yellow. The other maps run from
