@@ -140,18 +140,17 @@ glm::dvec3 ImageTexture::mean(const Footprint& footprint, TextureWork& work) con
     texel = {texel.u * image_.columns(), texel.v * image_.rows()};
   }
   double lines = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto& a = texels[k];
-    const auto& b = texels[(k + 1) % 4];
+  for_each_side(texels, [&](const TexturePoint& a, const TexturePoint& b) {
     lines += std::abs(std::floor(a.u) - std::floor(b.u)) + std::abs(std::floor(a.v) - std::floor(b.v));
-  }
+  });
   if (lines == 0) return color({std::floor(texels[0].u), std::floor(texels[0].v)});
   if (wrap_ == Wrap::repeat && !(lines <= most_lines)) return mean_;
   return mean_of_any(
       texels,
       [&](const Footprint& simple) {
         glm::dvec3 sum(0);
-        for (std::size_t k = 0; k < 4; ++k) sum += along_side(simple[k], simple[(k + 1) % 4], simple[0].u, work);
+        for_each_side(
+            simple, [&](const TexturePoint& a, const TexturePoint& b) { sum += along_side(a, b, simple[0].u, work); });
         return sum * (2 / twice_area(simple));
       },
       [&](const TexturePoint& place) {

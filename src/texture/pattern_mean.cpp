@@ -28,12 +28,6 @@ struct Moved {
   }
 };
 
-/// Calls side(from, to) for each.
-template <class Side>
-void for_each_side(const Footprint& footprint, const Side& side) {
-  for (std::size_t k = 0; k < footprint.size(); ++k) side(footprint[k], footprint[(k + 1) % footprint.size()]);
-}
-
 /// The integral of S(u) s(v) dv along a side.
 double along_side(const TexturePoint& from, const TexturePoint& to) {
   const double rise = to.v - from.v;

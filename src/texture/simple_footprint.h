@@ -8,6 +8,12 @@
 
 namespace pyrasim {
 
+/// Calls side(from, to) for each of the footprint's.
+template <class Side>
+void for_each_side(const Footprint& footprint, const Side& side) {
+  for (std::size_t k = 0; k < footprint.size(); ++k) side(footprint[k], footprint[(k + 1) % footprint.size()]);
+}
+
 /// The mean over a footprint where `mean` knows that over a quadrilateral with an area whose sides do not cross, and
 /// `point` the texture at a place: one that has no area to speak of is the mean of its corners; one that crosses itself
 /// its two triangles.
