@@ -31,7 +31,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libpyrasim-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
        "pyrasim (= ${PROJECT_VERSION}), libsystemc-dev, libglm-dev, nlohmann-json3-dev, libfmt-dev, libpng-dev, libssl-dev, "
-       "libtinyobjloader-dev, pkg-config")
+       "pkg-config")
 
 foreach(package IN ITEMS pyrasim libpyrasim-dev)
   set(component program)

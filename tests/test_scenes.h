@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <memory>
 #include <random>
 #include <utility>
@@ -82,8 +83,8 @@ inline SceneSurface random_quadric(std::mt19937_64& random, const glm::dvec3& mi
   }
 }
 
-/// Eight triangles, closed, about a place beside the mesh's origin.
-inline std::shared_ptr<const InstancedMesh> octahedron() {
+/// Eight triangles, closed, about a place beside the mesh's origin, with texture coordinates, and normals if smooth.
+inline std::shared_ptr<const InstancedMesh> octahedron(bool smooth = true) {
   const glm::dvec3 middle(0.25, 1, -0.5);
   Mesh mesh;
   for (int axis = 0; axis < 3; ++axis) {
@@ -94,6 +95,11 @@ inline std::shared_ptr<const InstancedMesh> octahedron() {
     }
   }
   for (std::uint32_t k = 0; k < 8; ++k) mesh.triangles.push_back({k & 1U, 2 + (k >> 1U & 1U), 4 + (k >> 2U)});
+  mesh.places = {{{0, 0}, {2, 1}, {1, -1}, {0.5, 3}, {4, 0.25}, {-1, 1}}, mesh.triangles};
+  if (smooth) {
+    for (const glm::dvec3& vertex : mesh.vertices) mesh.normals.values.push_back(glm::normalize(vertex - middle));
+    mesh.normals.corners = mesh.triangles;
+  }
   return std::make_shared<const InstancedMesh>(mesh);
 }
 
@@ -152,7 +158,7 @@ inline Scene random_scene(std::uint64_t seed, const RandomContents& contents, in
     const double minor = major * std::uniform_real_distribution<double>(0.1, 1)(random);
     scene.objects.push_back(object(Torus{center, axis, major, minor}, color()));
   }
-  const auto mesh = octahedron();
+  const auto mesh = octahedron(seed % 2 == 0);
   for (int k = 0; k < contents.instances; ++k) {
     scene.objects.push_back(object(random_instance(random, mesh, place()), color()));
   }

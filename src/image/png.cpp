@@ -112,7 +112,7 @@ bool write_png(PngWriter& writer, const Image& image, const PngFormat& format) {
 }
 
 struct PngReader : PngState {
-  explicit PngReader(const std::filesystem::path& file) : bytes(read_bytes(file)) {
+  explicit PngReader(std::string_view of) : bytes(of) {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, static_cast<PngState*>(this), on_error, on_warning);
     if (png != nullptr) info = png_create_info_struct(png);
     if (info == nullptr) throw RunError("PNG: cannot start the library");
@@ -121,7 +121,7 @@ struct PngReader : PngState {
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
-  std::string bytes;
+  std::string_view bytes;
   std::size_t position = 0;
   std::vector<png_byte> samples;  // 16 bits each, most significant byte first
   std::vector<png_bytep> rows;
@@ -157,7 +157,11 @@ bool read_samples(PngReader& reader) {
   png_read_info(reader.png, reader.info);
   const std::size_t columns = png_get_image_width(reader.png, reader.info);
   const std::size_t rows = png_get_image_height(reader.png, reader.info);
-  if (columns > max_pixels / rows) png_error(reader.png, "too many pixels");
+  if (columns > max_pixels / rows) png_error(reader.png, "it has more than 2^28 pixels");
+  // Deflate makes no more than 1,032 bytes of one: what says to hold more than that takes no memory.
+  if (rows * png_get_rowbytes(reader.png, reader.info) / 1032 > reader.bytes.size()) {
+    png_error(reader.png, "the file ends too early");
+  }
   note_gamma(reader);
   expand_to_rgba16(reader);
   const std::size_t row_bytes = png_get_rowbytes(reader.png, reader.info);
@@ -203,9 +207,12 @@ std::string encode_png(const Image& image, const PngFormat& format, const TextCh
 }
 
 Image read_png(const std::filesystem::path& file, std::uint64_t* transparent_pixels) {
-  PngReader reader(file);
-  if (!read_samples(reader))
-    throw InputError(fmt::format("{}: not a usable PNG file: {}", file.string(), reader.error));
+  return decode_png(read_bytes(file), file.string(), transparent_pixels);
+}
+
+Image decode_png(std::string_view bytes, const std::string& name, std::uint64_t* transparent_pixels) {
+  PngReader reader(bytes);
+  if (!read_samples(reader)) throw InputError(fmt::format("{}: not a usable PNG file: {}", name, reader.error));
   Image image(static_cast<int>(png_get_image_width(reader.png, reader.info)),
               static_cast<int>(png_get_image_height(reader.png, reader.info)));
   const std::vector<float> linear = linear_table(reader.gamma);

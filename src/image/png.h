@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,5 +35,7 @@ std::string encode_png(const Image& image, const PngFormat& format = {}, const T
 /// black, in linear light, and counted. Samples are taken as sRGB unless the file has a gAMA chunk and no sRGB or iCCP
 /// chunk. Throws InputError "FILE: what is wrong".
 Image read_png(const std::filesystem::path& file, std::uint64_t* transparent_pixels = nullptr);
+/// The same of a file's bytes; `name` is the file's.
+Image decode_png(std::string_view bytes, const std::string& name, std::uint64_t* transparent_pixels = nullptr);
 
 }  // namespace pyrasim

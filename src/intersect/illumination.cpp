@@ -19,21 +19,38 @@ template <class Scalar>
 typename Illumination<Scalar>::Place Illumination<Scalar>::place_of(const Vector<Scalar>& direction,
                                                                     const Hit<Scalar>& hit) const {
   const glm::dvec3 along = in_double(direction);
-  const auto place = [&](const glm::dvec3& outward, const SurfaceIdentity& identity) {
+  const auto place = [&](const glm::dvec3& outward, const glm::dvec3& shading_normal, const SurfaceIdentity& identity) {
+    const double side = glm::dot(outward, along) < 0 ? 1 : -1;
     return Place{.position = along * static_cast<double>(hit.t),
-                 .normal = (glm::dot(outward, along) < 0 ? outward : -outward) / glm::length(outward),
+                 .normal = outward * side / glm::length(outward),
+                 .shading_normal = shading_normal * side / glm::length(shading_normal),
                  .object = identity.object};
   };
   return with_kind(hit.kind, [&](auto kind) {
     if constexpr (kind == index_of_kind<InstanceSurface>) {
       const InstancedTriangle<Scalar> triangle = triangle_of_hit(scene_, hit.index);
-      return place(in_double(triangle.outward()), triangle.identity);
+      return place(in_double(triangle.outward()), in_double(triangle.shading_normal(direction)), triangle.identity);
     } else {
       const auto& [surfaces, shading] = std::get<kind>(scene_.kinds);
       const auto& surface = surfaces[hit.index];
-      return place(in_double(surface.outward(shading[hit.index], direction, hit.t)), surface.identity);
+      const auto& how = shading[hit.index];
+      const glm::dvec3 outward = in_double(surface.outward(how, direction, hit.t));
+      if constexpr (requires { surface.shading_normal(how, direction, hit.t); }) {
+        return place(outward, in_double(surface.shading_normal(how, direction, hit.t)), surface.identity);
+      } else {
+        return place(outward, outward, surface.identity);
+      }
     }
   });
+}
+
+/// Where the triangle that stands for a smooth surface looks away from a light, it is in its own shadow.
+template <class Scalar>
+bool Illumination<Scalar>::in_shadow(const Place& place, const Hit<Scalar>& hit, const Incidence& incidence,
+                                     std::size_t light, ShadowWork& work) const {
+  if (!(glm::dot(place.normal, incidence.towards) > 0)) return true;
+  ++work.rays[light];
+  return shadow_rays_->blocked(hit, place.position, place.normal, incidence, work.tests);
 }
 
 template <class Scalar>
@@ -42,14 +59,11 @@ Sample Illumination<Scalar>::sample(const Vector<Scalar>& direction, const Hit<S
   glm::dvec3 light = lights_.ambient();
   auto reached = static_cast<std::uint32_t>((std::uint64_t{1} << lights_.with_shadows()) - 1);
   lights_.for_each_at(place.position, [&](const Incidence& incidence, const std::optional<std::size_t>& shadow) {
-    const double cosine = glm::dot(place.normal, incidence.towards);
+    const double cosine = glm::dot(place.shading_normal, incidence.towards);
     if (!(cosine > 0)) return;  // it is behind, or the surface has no normal there
-    if (shadow) {
-      ++work.rays[*shadow];
-      if (shadow_rays_->blocked(hit, place.position, place.normal, incidence, work.tests)) {
-        reached &= ~(1U << *shadow);
-        return;
-      }
+    if (shadow && in_shadow(place, hit, incidence, *shadow, work)) {
+      reached &= ~(1U << *shadow);
+      return;
     }
     light += incidence.color * cosine;
   });

@@ -35,11 +35,14 @@ class Illumination {
   /// A place on a surface, seen from one side.
   struct Place {
     glm::dvec3 position;
-    glm::dvec3 normal;  ///< on the viewer's side, of length 1
+    glm::dvec3 normal;          ///< on the viewer's side, of length 1
+    glm::dvec3 shading_normal;  ///< likewise; of a smooth surface that triangles stand for
     std::uint32_t object;
   };
 
   Place place_of(const Vector<Scalar>& direction, const Hit<Scalar>& hit) const;
+  bool in_shadow(const Place& place, const Hit<Scalar>& hit, const Incidence& incidence, std::size_t light,
+                 ShadowWork& work) const;
 
   PreparedLights lights_;
   const PreparedScene<Scalar>& scene_;

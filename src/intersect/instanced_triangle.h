@@ -30,11 +30,12 @@ class InstancedTriangle {
  public:
   using Terms = const ViewRay<Scalar>&;
 
-  /// The triangle that stands at `place` in the mesh.
+  /// The triangle that stands at `place` in the mesh, which must outlive it.
   InstancedTriangle(const InstanceSurface<Scalar>& instance, const SharedMesh<Scalar>& mesh, std::uint32_t place)
       : instance_(instance),
         triangle_(mesh.triangles[place]),
         normal_(mesh.normals[place]),
+        smooth_(mesh.smooth.empty() ? nullptr : &mesh.smooth[place]),
         identity{instance.identity.object, instance.identity.order + triangle_.identity.order} {}
 
   Scalar intersect(const ViewRay<Scalar>& ray) const {
@@ -47,8 +48,15 @@ class InstancedTriangle {
     return moved;
   }
   Vector<Scalar> outward() const { return instance_.normal(normal_); }
+  /// What outward() is to be taken for where light falls on it, where a ray along `direction` meets it.
+  Vector<Scalar> shading_normal(const Vector<Scalar>& direction) const {
+    const auto shear = instance_.shear(instance_.direction(direction));
+    if (smooth_ == nullptr || !shear) return outward();
+    return on_side_of(outward(), instance_.normal(mean_normal(*smooth_, instance_.placed(triangle_).weights(*shear))));
+  }
   Scalar shade(const Lighting<Scalar>& lighting, const Vector<Scalar>& direction) const {
-    return lighting.lit ? lambert_of_curved(lighting, outward(), direction) : Scalar(1);
+    if (!lighting.lit) return Scalar(1);
+    return lambert_of_curved(lighting, shading_normal(direction), direction, outward());
   }
 
   /// Worked out beside the datapath, from numbers as it has them.
@@ -58,6 +66,7 @@ class InstancedTriangle {
   InstanceSurface<Scalar> instance_;
   TriangleSurface<Scalar> triangle_;
   Vector<Scalar> normal_;
+  const VertexNormals<Scalar>* smooth_;  ///< the mesh's, where it is smooth
 
  public:
   SurfaceIdentity identity;

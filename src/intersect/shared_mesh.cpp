@@ -15,13 +15,14 @@ SharedMesh<double> shared_mesh(const InstancedMesh& of, int exponent) {
   std::vector<BoundingBox> boxes;
   boxes.reserve(triangles.size());
   for (std::uint32_t k = 0; k < triangles.size(); ++k) boxes.push_back(box_of(corners(k)));
-  SharedMesh<double> shared{{}, {}, std::make_shared<const BoxHierarchy>(boxes)};
+  SharedMesh<double> shared{{}, {}, {}, std::make_shared<const BoxHierarchy>(boxes)};
   shared.triangles.reserve(triangles.size());
   shared.normals.reserve(triangles.size());
   for (const std::uint32_t number : shared.hierarchy->items()) {
     const auto [a, b, c] = corners(number);
     shared.triangles.push_back({{{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}}, {0, number}});
     shared.normals.push_back(normalized(cross(normalized(b - a), normalized(c - a))));
+    if (!of.mesh.normals.empty()) shared.smooth.push_back(of.mesh.normals.of(number));
   }
   return shared;
 }

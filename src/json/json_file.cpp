@@ -22,7 +22,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int overflow_id = 406;  ///< nlohmann's number for "number overflow"
+constexpr std::size_t largest_text = std::size_t{1} << 31U;  ///< of a file, bytes: some have no end
+constexpr int overflow_id = 406;                             ///< nlohmann's number for "number overflow"
 
 /// "FILE:LINE:COLUMN", both counted from 1, the column in characters, of the byte at `offset`.
 std::string place(std::string_view text, const std::string& file, std::size_t offset) {
@@ -206,6 +207,7 @@ std::string read_text(const std::filesystem::path& file) {
   std::array<char, 65536> block;
   while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > largest_text) throw std::runtime_error("it is larger than 2 GiB");
   }
   if (stream.bad()) throw std::runtime_error(std::strerror(errno));
   return text;

@@ -2,13 +2,12 @@
 #include "mesh/load_mesh.h"
 
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
 #include <array>
-#include <cassert>
+#include <cstddef>
 #include <cstdint>
+#include <set>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,14 +16,13 @@
 #include "error.h"
 #include "json/json_file.h"
 #include "mesh/degenerate.h"
-#include "mesh/obj_check.h"
 #include "mesh/triangulate.h"
 #include "text/printable.h"
 
 namespace pyrasim {
 namespace {
 
-std::string read_obj(const std::filesystem::path& file, const std::string& name) {
+std::string read_text_of(const std::filesystem::path& file, const std::string& name) {
   try {
     return read_text(file);
   } catch (const std::runtime_error& error) {
@@ -32,36 +30,18 @@ std::string read_obj(const std::filesystem::path& file, const std::string& name)
   }
 }
 
-/// The corners of all faces of `text`, as indices of vertices from 0, one face after the other. No material is looked
-/// for.
-std::vector<tinyobj::index_t> parse_corners(std::string text, const std::string& file) {
-  tinyobj::attrib_t attributes;
-  std::vector<tinyobj::shape_t> shapes;
-  std::vector<tinyobj::material_t> materials;
-  std::string warning;
-  std::string error;
-  std::istringstream stream(std::move(text));
-  constexpr bool triangulate = false;
-  constexpr bool vertex_colors = false;
-  if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr, triangulate,
-                        vertex_colors)) {
-    throw InputError(fmt::format("{}: {}; an OBJ file is allowed", file, excerpt(error.substr(0, error.find('\n')))));
-  }
-  return shapes.empty() ? std::vector<tinyobj::index_t>() : std::move(shapes.front().mesh.indices);
-}
-
-/// Adds the triangles of faces to a mesh whose vertices are known, and counts what is wrong with faces.
+/// Adds the triangles of faces to a mesh whose values are known, and counts what is wrong with faces.
 class MeshBuilder {
  public:
-  explicit MeshBuilder(TriangleMesh& mesh) : mesh_(mesh) {}
+  explicit MeshBuilder(LoadedMesh& loaded) : loaded_(loaded), mesh_(loaded.mesh) {}
 
-  void add(const ObjOutline::Face& face, std::span<const std::uint32_t> corners) {
+  void add(const ObjFile::Face& face, std::span<const ObjFile::Corner> corners) {
     const std::size_t before = mesh_.triangles.size();
     bool crossing = false;
     if (corners.size() == 3) {
-      add_triangle({corners[0], corners[1], corners[2]});
+      add_triangle(face, {corners[0], corners[1], corners[2]});
     } else {
-      crossing = add_polygon(corners);
+      crossing = add_polygon(face, corners);
     }
     if (mesh_.triangles.size() == before) {
       ++without_area_;
@@ -86,22 +66,36 @@ class MeshBuilder {
   }
 
  private:
-  void add_triangle(const std::array<std::uint32_t, 3>& corners) {
+  void add_triangle(const ObjFile::Face& face, const std::array<ObjFile::Corner, 3>& corners) {
+    const auto& [a, b, c] = corners;
     const auto& vertices = mesh_.vertices;
-    if (!is_degenerate(vertices[corners[0]], vertices[corners[1]], vertices[corners[2]])) {
-      mesh_.triangles.push_back(corners);
-    }
+    if (is_degenerate(vertices[a.vertex], vertices[b.vertex], vertices[c.vertex])) return;
+    mesh_.triangles.push_back({a.vertex, b.vertex, c.vertex});
+    loaded_.marks.push_back({face.group, face.material, face.line});
+    add_values(mesh_.places, {a.place, b.place, c.place});
+    add_values(mesh_.normals, {a.normal, b.normal, c.normal});
+  }
+
+  /// Of the triangle that was added last; those before it have none, where they had none.
+  template <class Value>
+  void add_values(CornerValues<Value>& values, const TriangleCorners& corners) {
+    if (values.empty() && corners == no_values) return;
+    values.corners.resize(mesh_.triangles.size(), no_values);
+    values.corners.back() = corners;
   }
 
   /// Whether the polygon crosses itself.
-  bool add_polygon(std::span<const std::uint32_t> corners) {
+  bool add_polygon(const ObjFile::Face& face, std::span<const ObjFile::Corner> corners) {
     points_.clear();
-    for (const std::uint32_t corner : corners) points_.push_back(mesh_.vertices[corner]);
+    for (const ObjFile::Corner& corner : corners) points_.push_back(mesh_.vertices[corner.vertex]);
     const Triangulation polygon = triangulate(points_);
-    for (const auto& [i, j, k] : polygon.triangles) add_triangle({corners[i], corners[j], corners[k]});
+    for (const auto& [i, j, k] : polygon.triangles) add_triangle(face, {corners[i], corners[j], corners[k]});
     return polygon.crossing;
   }
 
+  static constexpr TriangleCorners no_values{no_value, no_value, no_value};
+
+  LoadedMesh& loaded_;
   TriangleMesh& mesh_;
   std::vector<glm::dvec3> points_;  ///< of a polygon
   std::size_t without_area_ = 0;
@@ -109,39 +103,54 @@ class MeshBuilder {
   std::size_t first_crossing_ = 0;  ///< its line in the file
 };
 
-/// Adds all faces to `mesh` and returns what is to be said of them.
-std::vector<std::string> add_faces(ObjOutline& outline, const std::string& file, TriangleMesh& mesh) {
-  const std::vector<tinyobj::index_t> indices = parse_corners(std::move(outline.plain), file);
-  std::vector<std::uint32_t> corners;
-  corners.reserve(indices.size());
-  for (const tinyobj::index_t& index : indices) {
-    corners.push_back(static_cast<std::uint32_t>(index.vertex_index));
-    assert(corners.back() < mesh.vertices.size());  // check_obj has seen all corners
-  }
-  MeshBuilder builder(mesh);
-  std::size_t begin = 0;
-  for (const ObjOutline::Face& face : outline.faces) {
-    assert(begin + face.corners <= corners.size());
-    builder.add(face, std::span(corners).subspan(begin, face.corners));
-    begin += face.corners;
-  }
-  return builder.warnings();
-}
-
 }  // namespace
+
+std::vector<std::string> LoadedMesh::unused(const std::string& file, bool materials_used, bool groups_used) const {
+  std::set<std::uint32_t> groups_met, materials_met;
+  for (const TriangleMark& mark : marks) {
+    groups_met.insert(mark.group);
+    if (mark.material != no_value) materials_met.insert(mark.material);
+  }
+  std::vector<std::string> result;
+  if (!materials_met.empty() && !materials_used) {
+    result.push_back(fmt::format("{}: materials are not used ({}), since the object has a color or a texture", file,
+                                 materials_met.size()));
+  }
+  if (groups_met.size() > 1 && !materials_used && !groups_used) {
+    result.push_back(
+        fmt::format("{}: groups are one object ({}); with \"split\": \"groups\" each is one", file, groups_met.size()));
+  }
+  return result;
+}
 
 LoadedMesh load_mesh(const std::filesystem::path& file) {
   const std::string name = one_line(file.string());
-  ObjOutline outline = check_obj(read_obj(file, name), name);
-  if (outline.faces.empty()) throw InputError(name + ": it has no faces; at least one is needed");
+  return read_mesh(read_text_of(file, name), name);
+}
+
+LoadedMesh read_mesh(std::string_view text, const std::string& name) {
+  ObjFile obj = read_obj(text, name);
+  if (obj.faces.empty()) throw InputError(name + ": it has no faces; at least one is needed");
   LoadedMesh loaded;
-  loaded.mesh.vertices = std::move(outline.vertices);
-  loaded.mesh.triangles.reserve(outline.faces.size());
-  loaded.warnings = add_faces(outline, name, loaded.mesh);
+  loaded.mesh.vertices = std::move(obj.vertices);
+  loaded.mesh.places.values = std::move(obj.places);
+  loaded.mesh.normals.values = std::move(obj.normals);
+  loaded.mesh.triangles.reserve(obj.faces.size());
+  loaded.marks.reserve(obj.faces.size());
+  MeshBuilder builder(loaded);
+  std::size_t begin = 0;
+  for (const ObjFile::Face& face : obj.faces) {
+    builder.add(face, std::span(obj.corners).subspan(begin, face.corners));
+    begin += face.corners;
+  }
   if (loaded.mesh.triangles.empty()) {
     throw InputError(name + ": all its faces are degenerate; at least one with an area is needed");
   }
-  loaded.warnings.insert(loaded.warnings.end(), outline.warnings.begin(), outline.warnings.end());
+  loaded.groups = std::move(obj.groups);
+  loaded.materials = std::move(obj.materials);
+  loaded.libraries = std::move(obj.libraries);
+  loaded.warnings = builder.warnings();
+  loaded.warnings.insert(loaded.warnings.end(), obj.warnings.begin(), obj.warnings.end());
   for (std::string& warning : loaded.warnings) warning.insert(0, name + ": ");
   return loaded;
 }

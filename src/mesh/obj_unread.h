@@ -17,7 +17,7 @@ class ObjUnread {
   /// A vertex with a colour.
   void count_vertex_color() { ++vertex_colors_; }
 
-  /// At most one for materials and groups, one for what is no face, and one for unknown keywords.
+  /// At most one for how things look, one for what is no face, and one for unknown keywords.
   std::vector<std::string> warnings() const;
 
  private:

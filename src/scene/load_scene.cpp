@@ -103,7 +103,7 @@ Scene read_scene(const std::filesystem::path& file, const nlohmann::json& docume
     scene.lights = read_lights(*lights);
   }
   scene.files.push_back(file.string());
-  std::map<std::string, TriangleMesh> meshes;
+  std::map<std::string, LoadedMesh> meshes;
   scene.objects = read_objects(root, {folder_of_meshes(file), scene.warnings, scene.files, meshes});
   return scene;
 }

@@ -255,7 +255,7 @@ constexpr NffReader::Command NffReader::commands[8] = {
     {"f", &NffReader::read_material}, {"s", &NffReader::read_sphere},     {"c", &NffReader::read_cone},
     {"p", &NffReader::read_polygon},  {"pp", &NffReader::read_patch}};
 
-std::string read_nff(const std::filesystem::path& file, const std::string& name) {
+std::string read_text_of(const std::filesystem::path& file, const std::string& name) {
   try {
     return read_text(file);
   } catch (const std::runtime_error& error) {
@@ -269,10 +269,11 @@ bool is_nff(const std::filesystem::path& file) { return file.extension() == ".nf
 
 Scene load_nff(const std::filesystem::path& file) {
   const std::string name = one_line(file.string());
-  const std::string text = read_nff(file, name);
-  Scene scene = NffReader(text, name).read();
+  Scene scene = read_nff(read_text_of(file, name), name);
   scene.files.push_back(file.string());
   return scene;
 }
+
+Scene read_nff(std::string_view text, const std::string& name) { return NffReader(text, name).read(); }
 
 }  // namespace pyrasim

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "scene/scene.h"
 
@@ -14,5 +16,7 @@ bool is_nff(const std::filesystem::path& file);
 /// 1987): v, b, l, f, s, c, p and pp. Surfaces have the colour times Kd of the last f, and both their sides are seen.
 /// Throws InputError "FILE:LINE: what is wrong; what is allowed".
 Scene load_nff(const std::filesystem::path& file);
+/// The same of a file's text; `name` is the file's.
+Scene read_nff(std::string_view text, const std::string& name);
 
 }  // namespace pyrasim

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "scene/read_mesh_objects.h"
 #include "scene/read_texture.h"
 #include "scene/read_transform.h"
 #include "surface/transformed.h"
@@ -70,6 +71,11 @@ class Shapes {
     } else {
       shape.surface = std::make_shared<const SceneSurface>(chosen(reader, reading_, keys));
     }
+    return moved(std::move(shape), reader);
+  }
+
+  /// By the transform that is written in `reader`, if there is one.
+  static Shape moved(Shape shape, const JsonReader& reader) {
     if (const auto transform = reader.find("transform")) {
       const AffineMap outer = read_transform(*transform);
       shape.map = mapped_at(*transform, [&] { return shape.map ? outer.after(*shape.map) : outer; });
@@ -82,17 +88,6 @@ class Shapes {
     if (!shape.map) return *shape.surface;
     return mapped_at(reader.find("transform").value_or(reader),
                      [&] { return transformed(*shape.surface, *shape.map); });
-  }
-
-  /// A texture on a surface as it was written. Throws InputError.
-  static std::shared_ptr<const ObjectTexture> textured(const Shape& shape, const JsonReader& texture,
-                                                       TextureReader& textures) {
-    const bool mesh =
-        std::holds_alternative<Mesh>(*shape.surface) || std::holds_alternative<MeshInstance>(*shape.surface);
-    if (mesh)
-      texture.fail("a mesh has no coordinates that a texture could be laid out by", "other surfaces may have textures");
-    return std::make_shared<const ObjectTexture>(
-        ObjectTexture{textures.read(texture), shape.surface, shape.map.value_or(AffineMap())});
   }
 
  private:
@@ -173,27 +168,97 @@ class Shapes {
   std::map<std::string, Shape> shapes_;
 };
 
+/// A texture on a surface as it was written; on a mesh where it is placed, since triangles may get lost on the way.
+/// `reader`: what to blame. Throws InputError.
+std::shared_ptr<const ObjectTexture> textured(const Shape& shape, const SceneSurface& placed, Texture texture,
+                                              const JsonReader& reader) {
+  const auto* mesh = std::get_if<Mesh>(&placed);
+  const auto* instance = std::get_if<MeshInstance>(&placed);
+  const TriangleMesh* triangles = mesh != nullptr ? mesh : instance != nullptr ? &instance->of->mesh : nullptr;
+  if (triangles != nullptr && !all_have(triangles->places)) {
+    reader.fail("some faces of the mesh have no texture coordinates (vt) at their corners",
+                "faces that all have them may have textures");
+  }
+  if (mesh != nullptr) {
+    return std::make_shared<const ObjectTexture>(
+        ObjectTexture{std::move(texture), std::make_shared<const SceneSurface>(placed), AffineMap()});
+  }
+  return std::make_shared<const ObjectTexture>(
+      ObjectTexture{std::move(texture), shape.surface, shape.map.value_or(AffineMap())});
+}
+
+/// Reads the objects of a scene one after the other.
+class ObjectReader {
+ public:
+  ObjectReader(const JsonReader& scene, const SceneReading& reading)
+      : reading_(reading), shapes_(scene, reading), textures_(reading.folder, reading.files) {}
+
+  void read(const JsonReader& reader) {
+    if (is_split(reader, reading_)) {
+      read_parts(reader);
+      return;
+    }
+    const Shape shape = shapes_.read(reader, object_keys());
+    const auto texture = reader.find("texture");
+    const glm::dvec3 color = texture ? reader.optional_vec3("color", color_components).value_or(glm::dvec3(1))
+                                     : reader.member("color").vec3(color_components);
+    add(reader, reader.optional_string("name").value_or(""), color, shape);
+    if (texture) lay_on(shape, textures_.read(*texture), *texture);
+  }
+
+  /// Textures have meshes of their own, so that objects need no texture coordinates.
+  std::vector<Object> objects() {
+    for (Object& object : objects_) {
+      if (auto* mesh = std::get_if<Mesh>(&object.surface)) mesh->places = {};
+    }
+    return std::move(objects_);
+  }
+
+ private:
+  static Keys object_keys() { return {"name", "type", "color", "shadow", "transform", "texture"}; }
+
+  /// Those of a mesh. They have the object's colour and texture, or their materials'.
+  void read_parts(const JsonReader& reader) {
+    Keys keys = object_keys();
+    keys.insert(keys.end(), Mesh::keys.begin(), Mesh::keys.end());
+    reader.allow_keys(keys);
+    const auto texture = reader.find("texture");
+    std::optional<glm::dvec3> color = reader.optional_vec3("color", color_components);
+    if (texture && !color) color = glm::dvec3(1);
+    const std::string name = reader.optional_string("name").value_or("");
+    for (MeshObject& part : read_mesh_objects(reader, color, reading_, textures_)) {
+      const Shape shape =
+          Shapes::moved({std::make_shared<const SceneSurface>(std::move(part.mesh)), std::nullopt}, reader);
+      add(reader, name.empty() || part.name.empty() ? name + part.name : name + "/" + part.name, part.color, shape);
+      if (texture) part.texture = textures_.read(*texture);
+      if (part.texture) lay_on(shape, std::move(*part.texture), texture.value_or(reader));
+    }
+  }
+
+  void add(const JsonReader& reader, std::string name, const glm::dvec3& color, const Shape& shape) {
+    objects_.push_back(
+        {std::move(name), color, Shapes::place(shape, reader), reader.optional_boolean("shadow").value_or(true)});
+    numbers_.count(objects_.back().surface, reader);
+  }
+
+  /// On the object that was added last.
+  void lay_on(const Shape& shape, Texture texture, const JsonReader& reader) {
+    objects_.back().texture = textured(shape, objects_.back().surface, std::move(texture), reader);
+  }
+
+  const SceneReading& reading_;
+  Shapes shapes_;
+  TextureReader textures_;
+  SurfaceNumbers numbers_;
+  std::vector<Object> objects_;
+};
+
 }  // namespace
 
 std::vector<Object> read_objects(const JsonReader& scene, const SceneReading& reading) {
-  Shapes shapes(scene, reading);
-  SurfaceNumbers numbers;
-  TextureReader textures(reading.folder, reading.files);
-  std::vector<Object> objects;
-  const Keys keys{"name", "type", "color", "shadow", "transform", "texture"};
-  const JsonElements elements = scene.member("objects").elements();
-  objects.reserve(elements.size());
-  for (const JsonReader& reader : elements) {
-    const Shape shape = shapes.read(reader, keys);
-    const auto texture = reader.find("texture");
-    const auto color = texture ? reader.optional_vec3("color", color_components).value_or(glm::dvec3(1))
-                               : reader.member("color").vec3(color_components);
-    objects.push_back({reader.optional_string("name").value_or(""), color, Shapes::place(shape, reader),
-                       reader.optional_boolean("shadow").value_or(true)});
-    if (texture) objects.back().texture = Shapes::textured(shape, *texture, textures);
-    numbers.count(objects.back().surface, reader);
-  }
-  return objects;
+  ObjectReader objects(scene, reading);
+  for (const JsonReader& object : scene.member("objects").elements()) objects.read(object);
+  return objects.objects();
 }
 
 }  // namespace pyrasim

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/read_texture.h"
 
+#include <fmt/format.h>
+
+#include "error.h"
 #include "image/png.h"
 #include "numeric/length_range.h"
 #include "shading/color.h"
+#include "text/printable.h"
 
 namespace pyrasim {
 namespace {
@@ -24,13 +28,29 @@ std::array<glm::dvec3, 2> read_colors(const JsonReader& reader) {
 
 }  // namespace
 
-std::shared_ptr<const ImageTexture> TextureReader::picture(const JsonReader& file, Wrap wrap) {
-  const std::filesystem::path path = folder_ / file.string();
-  if (path.extension() != ".png") file.fail("it is no PNG file by its name", "a file that ends in .png is allowed");
+std::shared_ptr<const ImageTexture> TextureReader::picture(const std::filesystem::path& path, Wrap wrap) {
+  if (path.extension() != ".png") return nullptr;
   auto& picture = pictures_[{path.string(), wrap}];
   if (picture) return picture;
   files_.push_back(path.string());
   return picture = std::make_shared<const ImageTexture>(read_png(path), wrap);
+}
+
+Texture TextureReader::read(const MaterialMap& map) {
+  Texture texture;
+  texture.pattern = Pattern::image;
+  try {
+    texture.image = picture(map.file, map.clamp ? Wrap::clamp : Wrap::repeat);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", map.line, error.what()));
+  }
+  if (!texture.image) {
+    throw InputError(fmt::format("{}: {} is no PNG file by its name; a file that ends in .png is allowed", map.line,
+                                 one_line(map.file)));
+  }
+  texture.scale = {1 / map.scale.x, 1 / map.scale.y};
+  texture.shift = {-map.offset.x / map.scale.x, -map.offset.y / map.scale.y};
+  return texture;
 }
 
 Texture TextureReader::read(const JsonReader& reader) {
@@ -40,7 +60,9 @@ Texture TextureReader::read(const JsonReader& reader) {
   if (texture.pattern == Pattern::image) {
     reader.allow_keys({"type", "file", "wrap", "scale", "shift", "turn"});
     const auto wrap = reader.optional_choice<Wrap>("wrap", {{"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}});
-    texture.image = picture(reader.member("file"), wrap.value_or(Wrap::repeat));
+    const JsonReader file = reader.member("file");
+    texture.image = picture(folder_ / file.string(), wrap.value_or(Wrap::repeat));
+    if (!texture.image) file.fail("it is no PNG file by its name", "a file that ends in .png is allowed");
   } else {
     reader.allow_keys({"type", "colors", "scale", "shift", "turn"});
     texture.colors = read_colors(reader.member("colors"));

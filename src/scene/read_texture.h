@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "json/json_reader.h"
+#include "mesh/mtl_file.h"
 #include "texture/texture.h"
 
 namespace pyrasim {
@@ -20,11 +21,14 @@ class TextureReader {
   TextureReader(std::filesystem::path folder, std::vector<std::string>& files)
       : folder_(std::move(folder)), files_(files) {}
 
-  /// Throws InputError, and LimitError for a picture that is too large.
+  /// Throws InputError.
   Texture read(const JsonReader& reader);
+  /// That of a mesh's material. Throws InputError, too, with the line that names it.
+  Texture read(const MaterialMap& map);
 
  private:
-  std::shared_ptr<const ImageTexture> picture(const JsonReader& file, Wrap wrap);
+  /// Nothing where the file is no PNG by its name.
+  std::shared_ptr<const ImageTexture> picture(const std::filesystem::path& path, Wrap wrap);
 
   std::filesystem::path folder_;
   std::vector<std::string>& files_;

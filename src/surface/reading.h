@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "json/json_reader.h"
-#include "mesh/triangle_mesh.h"
+#include "mesh/load_mesh.h"
 #include "numeric/length_range.h"
 
 namespace pyrasim {
@@ -22,10 +22,10 @@ glm::dvec3 read_direction(const JsonReader& reader);
 
 /// What the objects of one scene are read with.
 struct SceneReading {
-  std::filesystem::path folder;                 ///< where the paths of files begin
-  std::vector<std::string>& warnings;           ///< one line each
-  std::vector<std::string>& files;              ///< that the scene was read from
-  std::map<std::string, TriangleMesh>& meshes;  ///< by path: each file is read once
+  std::filesystem::path folder;               ///< where the paths of files begin
+  std::vector<std::string>& warnings;         ///< one line each
+  std::vector<std::string>& files;            ///< that the scene was read from
+  std::map<std::string, LoadedMesh>& meshes;  ///< by path: each file is read once
 };
 
 }  // namespace pyrasim

@@ -114,7 +114,7 @@ Triangle Triangle::read(const JsonReader& reader, const SceneReading&) {
 Prepared<TriangleSurface> prepared_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                             const Lighting<double>& lighting) {
   const glm::dvec3 normal = normalized(cross(normalized(b - a), normalized(c - a)));
-  return {{{{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}}}, flat_shading(normal, lighting)};
+  return {{{{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}}}, {flat_shading(normal, lighting)}};
 }
 
 Prepared<TriangleSurface> Triangle::prepared(const Preparation& preparation) const {

@@ -12,12 +12,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 
 #include "surface/bounding_box.h"
+#include "surface/curved_shading.h"
 #include "surface/distance_range.h"
 #include "surface/flat_shading.h"
 #include "surface/preparation.h"
 #include "surface/reading.h"
+#include "surface/smooth_normal.h"
 #include "surface/surface.h"
 #include "surface/surface_coordinates.h"
 #include "surface/view_ray.h"
@@ -47,20 +50,54 @@ struct TriangleShear {
   }
 };
 
+/// A triangle's vertices as the shear moves them: the ray is at 0.
+template <class Scalar>
+struct ShearedVertices {
+  Scalar ax, ay, bx, by, cx, cy;
+
+  /// The edge functions: twice the areas opposite a, b and c.
+  std::array<Scalar, 3> edges() const { return {cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax}; }
+};
+
+template <class Scalar>
+struct TriangleShading {
+  FlatShading<Scalar> flat;
+  std::shared_ptr<const VertexNormals<Scalar>> normals{};  ///< where the surface is smooth
+
+  template <class Other, class Number>
+  TriangleShading<Other> mapped(const Number& number) const {
+    TriangleShading<Other> result{flat.template mapped<Other>(number)};
+    if (normals) result.normals = std::make_shared<const VertexNormals<Other>>(number(*normals, 0));
+    return result;
+  }
+};
+
 template <class Scalar>
 struct TriangleSurface {
   static constexpr SurfaceTraits traits{.name = "triangle", .default_cost = 3, .extent = Extent::bounded};
   using Terms = TriangleShear<Scalar>;
-  using Shading = FlatShading<Scalar>;
+  using Shading = TriangleShading<Scalar>;
 
   std::array<std::array<Scalar, 3>, 3> vertices;
   SurfaceIdentity identity{};
 
   Scalar intersect(const TriangleShear<Scalar>& shear) const;
-  Scalar shade(const Shading& shading, const Lighting<Scalar>&, const Vector<Scalar>& direction, Scalar) const {
-    return shading.seen_along(direction);
+  ShearedVertices<Scalar> sheared(const TriangleShear<Scalar>& shear) const;
+  /// Where the ray meets the triangle, as weights of its vertices. It must meet it.
+  std::array<Scalar, 3> weights(const TriangleShear<Scalar>& shear) const;
+
+  Scalar shade(const Shading& shading, const Lighting<Scalar>& lighting, const Vector<Scalar>& direction,
+               Scalar t) const {
+    if (!shading.normals) return shading.flat.seen_along(direction);
+    if (!lighting.lit) return Scalar(1);
+    return lambert_of_curved(lighting, shading_normal(shading, direction, t), direction, shading.flat.normal);
   }
-  Vector<Scalar> outward(const Shading& shading, const Vector<Scalar>&, Scalar) const { return shading.normal; }
+  Vector<Scalar> outward(const Shading& shading, const Vector<Scalar>&, Scalar) const { return shading.flat.normal; }
+  /// What outward() is to be taken for where light falls on it.
+  Vector<Scalar> shading_normal(const Shading& shading, const Vector<Scalar>& direction, Scalar) const {
+    if (!shading.normals) return shading.flat.normal;
+    return on_side_of(shading.flat.normal, mean_normal(*shading.normals, weights(TriangleShear<Scalar>(direction))));
+  }
 
   /// The same surface for rays that start at `place` instead of the origin.
   TriangleSurface seen_from(const Vector<Scalar>& place) const {
@@ -115,25 +152,33 @@ bool beside(Scalar a, Scalar b, Scalar c) {
   return std::min(std::min(a, b), c) > Scalar(0) || std::max(std::max(a, b), c) < Scalar(0);
 }
 
+template <class Scalar>
+ShearedVertices<Scalar> TriangleSurface<Scalar>::sheared(const TriangleShear<Scalar>& shear) const {
+  const auto& [a, b, c] = vertices;
+  return {a[shear.kx] - shear.sx * a[shear.kz], a[shear.ky] - shear.sy * a[shear.kz],
+          b[shear.kx] - shear.sx * b[shear.kz], b[shear.ky] - shear.sy * b[shear.kz],
+          c[shear.kx] - shear.sx * c[shear.kz], c[shear.ky] - shear.sy * c[shear.kz]};
+}
+
+template <class Scalar>
+std::array<Scalar, 3> TriangleSurface<Scalar>::weights(const TriangleShear<Scalar>& shear) const {
+  const auto [u, v, w] = sheared(shear).edges();
+  const Scalar determinant = u + v + w;
+  return {u / determinant, v / determinant, w / determinant};
+}
+
 /// The t > 0 at which the view ray meets the triangle from either side, or 0 where there is none.
 template <class Scalar>
 Scalar TriangleSurface<Scalar>::intersect(const TriangleShear<Scalar>& shear) const {
-  const auto& [a, b, c] = vertices;
-  const Scalar ax = a[shear.kx] - shear.sx * a[shear.kz];
-  const Scalar ay = a[shear.ky] - shear.sy * a[shear.kz];
-  const Scalar bx = b[shear.kx] - shear.sx * b[shear.kz];
-  const Scalar by = b[shear.ky] - shear.sy * b[shear.kz];
-  const Scalar cx = c[shear.kx] - shear.sx * c[shear.kz];
-  const Scalar cy = c[shear.ky] - shear.sy * c[shear.kz];
-  if (beside(ax, bx, cx) || beside(ay, by, cy)) return Scalar(0);
-  const Scalar u = cx * by - cy * bx;  // the edge functions: twice the areas opposite a, b and c
-  const Scalar v = ax * cy - ay * cx;
-  const Scalar w = bx * ay - by * ax;
+  const ShearedVertices<Scalar> at = sheared(shear);
+  if (beside(at.ax, at.bx, at.cx) || beside(at.ay, at.by, at.cy)) return Scalar(0);
+  const auto [u, v, w] = at.edges();
   const bool negative = u < Scalar(0) || v < Scalar(0) || w < Scalar(0);
   const bool positive = u > Scalar(0) || v > Scalar(0) || w > Scalar(0);
   if (negative && positive) return Scalar(0);
   const Scalar determinant = u + v + w;
   if (determinant == Scalar(0)) return Scalar(0);
+  const auto& [a, b, c] = vertices;
   const Scalar depth = u * a[shear.kz] + v * b[shear.kz] + w * c[shear.kz];
   const Scalar t = depth * shear.sz / determinant;
   return t > Scalar(0) ? t : Scalar(0);

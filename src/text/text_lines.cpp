@@ -50,4 +50,9 @@ std::string_view next_word(std::string_view& line) {
   return word;
 }
 
+std::string_view trimmed(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  return line.substr(0, line.find_last_not_of(blanks) + 1);
+}
+
 }  // namespace pyrasim

@@ -7,9 +7,9 @@
 
 namespace pyrasim {
 
-/// The lines of a text of words, as of an OBJ or NFF file: ended by LF, CR or both, without comments (from `#` on), and
-/// joined to the next one where a backslash is the last character but blanks. A byte-order mark in front is passed
-/// over.
+/// The lines of a text of words, as of an OBJ, MTL or NFF file: ended by LF, CR or both, without comments (from `#`
+/// on), and joined to the next one where a backslash is the last character but blanks. A byte-order mark in front is
+/// passed over.
 class TextLines {
  public:
   explicit TextLines(std::string_view text);
@@ -38,5 +38,8 @@ class TextLines {
 
 /// Cuts the first word off `line`; empty at the line's end.
 std::string_view next_word(std::string_view& line);
+
+/// `line` without the blanks around it.
+std::string_view trimmed(std::string_view line);
 
 }  // namespace pyrasim

@@ -1,47 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "texture/image_texture.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "error.h"
 #include "texture/simple_footprint.h"
 
 namespace pyrasim {
 namespace {
 
-constexpr std::size_t most_texels = 1 << 28;  // whose sums take 6 GiB
-constexpr double most_lines = 1 << 16;        ///< of all four sides, where the picture is repeated
-
-std::size_t index_of(double row, double column, int columns) {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
-}
+constexpr double most_lines = 1 << 16;  ///< of all four sides, where the picture is repeated
+constexpr std::size_t block = 8;  ///< columns between two sums that are kept, so that they take no more than texels
 
 }  // namespace
 
 ImageTexture::ImageTexture(Image image, Wrap wrap) : image_(std::move(image)), wrap_(wrap) {
   const auto columns = static_cast<std::size_t>(image_.columns());
   const auto rows = static_cast<std::size_t>(image_.rows());
-  if (columns * rows > most_texels) {
-    throw LimitError(
-        fmt::format("a texture of {}x{} texels is too large; {} texels are allowed", columns, rows, most_texels));
-  }
-  sums_.reserve((columns + 1) * rows);
+  sums_.reserve((columns / block + 1) * rows);
   for (std::size_t row = 0; row < rows; ++row) {
     glm::dvec3 sum(0);
     for (std::size_t column = 0; column < columns; ++column) {
-      sums_.push_back(sum);
-      sum += glm::dvec3(image_.at(static_cast<int>(rows - 1 - row), static_cast<int>(column)));
+      if (column % block == 0) sums_.push_back(sum);
+      sum += texel(row, column);
     }
-    sums_.push_back(sum);
+    if (columns % block == 0) sums_.push_back(sum);
     mean_ += sum;
   }
   mean_ /= static_cast<double>(columns) * static_cast<double>(rows);
+}
+
+glm::dvec3 ImageTexture::texel(std::size_t row, std::size_t column) const {
+  return image_.at(image_.rows() - 1 - static_cast<int>(row), static_cast<int>(column));
+}
+
+glm::dvec3 ImageTexture::sum_before(std::size_t row, std::size_t column) const {
+  const std::size_t blocks = static_cast<std::size_t>(image_.columns()) / block + 1;
+  glm::dvec3 sum = sums_[row * blocks + column / block];
+  for (std::size_t k = column - column % block; k < column; ++k) sum += texel(row, k);
+  return sum;
 }
 
 double ImageTexture::within(double index, int count) const {
@@ -49,10 +49,9 @@ double ImageTexture::within(double index, int count) const {
   return std::clamp(index, 0.0, count - 1.0);
 }
 
-const glm::vec3& ImageTexture::color(const Texel& texel) const {
-  const double row = within(texel.row, image_.rows());
-  const double column = within(texel.column, image_.columns());
-  return image_.at(image_.rows() - 1 - static_cast<int>(row), static_cast<int>(column));
+glm::dvec3 ImageTexture::color(const Texel& of) const {
+  return texel(static_cast<std::size_t>(within(of.row, image_.rows())),
+               static_cast<std::size_t>(within(of.column, image_.columns())));
 }
 
 glm::dvec3 ImageTexture::at(const TexturePoint& place) const {
@@ -61,10 +60,10 @@ glm::dvec3 ImageTexture::at(const TexturePoint& place) const {
 
 glm::dvec3 ImageTexture::along_row(double u, double row) const {
   const int columns = image_.columns();
-  const double stored = within(row, image_.rows());
-  const auto sum = [&](double column) { return sums_[index_of(stored, column, columns + 1)]; };
+  const auto stored = static_cast<std::size_t>(within(row, image_.rows()));
+  const auto sum = [&](double column) { return sum_before(stored, static_cast<std::size_t>(column)); };
   const double column = std::floor(u);
-  const glm::dvec3 here(color({column, row}));
+  const glm::dvec3 here = color({column, row});
   if (wrap_ == Wrap::repeat) {
     const double periods = std::floor(column / columns);
     return sum(columns) * periods + sum(column - periods * columns) + here * (u - column);
@@ -154,7 +153,7 @@ glm::dvec3 ImageTexture::mean(const Footprint& footprint, TextureWork& work) con
         return sum * (2 / twice_area(simple));
       },
       [&](const TexturePoint& place) {
-        return glm::dvec3(color({std::floor(place.u), std::floor(place.v)}));
+        return color({std::floor(place.u), std::floor(place.v)});
       });
 }
 

@@ -2,6 +2,7 @@
 // Pictures as textures: texels of one colour each, and means over footprints by the area that each texel has in them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -21,7 +22,6 @@ enum class Wrap : std::uint8_t {
 /// A picture over the cell from (0, 0), its lower left corner, to (1, 1).
 class ImageTexture {
  public:
-  /// Throws LimitError where it has more than 2^28 texels.
   ImageTexture(Image image, Wrap wrap);
 
   glm::dvec3 at(const TexturePoint& place) const;
@@ -36,7 +36,11 @@ class ImageTexture {
   struct Texel {
     double column, row;  ///< whole numbers, of the plane that the picture covers by its wrap; rows from below
   };
-  const glm::vec3& color(const Texel& texel) const;
+  glm::dvec3 color(const Texel& of) const;
+  /// Of the picture itself; rows from below.
+  glm::dvec3 texel(std::size_t row, std::size_t column) const;
+  /// Of the texels of a row before `column`.
+  glm::dvec3 sum_before(std::size_t row, std::size_t column) const;
   /// The integral of a row's colours from the picture's left side to `u`, in columns; it has a bend at each column.
   glm::dvec3 along_row(double u, double row) const;
   glm::dvec3 along_side(const TexturePoint& from, const TexturePoint& to, double reference, TextureWork& work) const;
@@ -45,7 +49,7 @@ class ImageTexture {
 
   Image image_;
   Wrap wrap_;
-  std::vector<glm::dvec3> sums_;  ///< of each row, from below, before each column, and of all of it
+  std::vector<glm::dvec3> sums_;  ///< of each row, from below, before every eighth column
   glm::dvec3 mean_{0};
 };
 

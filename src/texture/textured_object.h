@@ -26,14 +26,33 @@ class TexturedObject {
   ///
   /// The footprint is the quadrilateral between the four places in the surface's coordinates: what a pyramid covers of
   /// a plane, and an approximation on curved surfaces. Corners on different charts, or one that passes the object by,
-  /// leave none: then the mean of what the corners see counts.
+  /// leave none: then the mean of what the corners see counts. On a mesh each corner has a footprint, on the plane of
+  /// the triangle that it sees, so that seams do not matter; and their means' mean counts.
   glm::dvec3 color_over(const std::array<glm::dvec3, 4>& corners, TextureFilter filter, TextureWork& work) const;
 
  private:
-  std::optional<SurfaceCoordinates> coordinates(const glm::dvec3& view_vector) const;
-  glm::dvec3 color_of(const std::optional<SurfaceCoordinates>& place) const;
+  /// What a ray sees of the object.
+  struct Seen {
+    glm::dvec3 view_vector;
+    double t;
+    std::uint32_t triangle;  ///< of a mesh, from 0
+  };
+  using Place = std::optional<SurfaceCoordinates>;
+
+  std::optional<Seen> seen(const glm::dvec3& view_vector) const;
+  Place coordinates(const std::optional<Seen>& seen) const;
+  glm::dvec3 color_of(const Place& place) const;
+  glm::dvec3 color_over_mesh(const std::array<glm::dvec3, 4>& corners, const std::array<std::optional<Seen>, 4>& hits,
+                             TextureWork& work) const;
+  /// What a pyramid covers of the plane of a triangle that one of its corners sees, if it meets the plane about as far
+  /// away as the object.
+  std::optional<Footprint> footprint_on(const Seen& seen, const std::array<glm::dvec3, 4>& corners,
+                                        const std::array<std::optional<Seen>, 4>& hits) const;
+  /// A direction of the prepared scene in the coordinates that the surface was written in.
+  glm::dvec3 written_direction(const glm::dvec3& v) const;
 
   ObjectTexture texture_;
+  const TriangleMesh* mesh_;  ///< that the texture is laid out by, if the surface is one
   /// From the prepared scene's coordinates to those that the surface was written in.
   std::array<glm::dvec3, 3> rows_;
   glm::dvec3 offset_;

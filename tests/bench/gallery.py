@@ -18,6 +18,7 @@ SCENES = {
     "tori": "Rings of all thicknesses.",
     "knot": "A torus knot: a chain of 96 instances of one torus.",
     "crystals": "30 instances of one mesh of 24 triangles, turned, stretched, mirrored.",
+    "buoys": "A mesh with materials, a picture and smooth normals, on striped water.",
     "spheres": "50 overlapping spheres of very different sizes.",
     "fins": "Long slivers at shallow slopes, some thinner than a pixel.",
     "blocks": "Boxes, discs and balls.",

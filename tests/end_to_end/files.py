@@ -83,7 +83,7 @@ class Files(tool.EndToEnd):
 
     def test_what_is_not_read_of_an_obj(self):
         face = "f 1 2 3 4\n"
-        self.assertIn("mesh.obj: materials and groups are not read (g 1, mtllib 1, o 1, usemtl 2); the colour is",
+        self.assertIn("mesh.obj: materials are not used (1), since the object has a color or a texture",
                       self.warning_of(SQUARE + "mtllib a.mtl\no a\ng b\nusemtl c\n" + face + "usemtl d\n"))
         self.assertIn("mesh.obj: lines, points and free-form surfaces are not read (l 2, p 1);",
                       self.warning_of(SQUARE + face + "l 1 2\nl 2 3\np 0\n"))

@@ -17,11 +17,11 @@ EDGE = "a scene with many edges in a single pixel"
 EDGE_SCENE = tool.scene([{"type": "sphere", "center": [distance, 0.3 * distance, 0.3 * distance],
                           "radius": (0.05 + 0.002 * k) * distance, "color": [1, 1, 1]}
                          for k, distance in enumerate(10 * 1.3**k for k in range(40))])
-PATIENCE = 20  # seconds; the program takes one or less
+PATIENCE = 120  # seconds; the program takes one or less
 
 
 def wait_until(condition):
-    for _ in range(1000):
+    for _ in range(12_000):  # a busy machine is slow
         if condition():
             return
         time.sleep(0.01)

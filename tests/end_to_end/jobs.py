@@ -35,7 +35,7 @@ def runs(number):
         return False
 
 
-def wait_until(condition, seconds=20):
+def wait_until(condition, seconds=120):
     end = time.monotonic() + seconds
     while not (found := condition()):
         if time.monotonic() > end:

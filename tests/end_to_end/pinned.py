@@ -12,7 +12,7 @@ from tool import MACHINES, SCENES, SOURCE
 
 PINNED = SOURCE / "tests/end_to_end/pinned.json"
 FRAMES = {"keel": "64x48", "spheres": "64x48", "fins": "64x48", "bunny": "32x24", "blocks": "64x48",
-          "quadrics": "64x48", "shadows": "64x48", "tori": "64x48", "crystals": "64x48",
+          "quadrics": "64x48", "shadows": "64x48", "tori": "64x48", "crystals": "64x48", "buoys": "64x48",
           "horizon": "64x48", "runway": "64x48", "columns": "64x48"}
 MACHINE_FILES = ("small", "wide")
 POLICIES = ("round_robin", "first_free")

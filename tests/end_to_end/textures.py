@@ -90,7 +90,7 @@ class Textures(tool.EndToEnd):
         refused({"type": "image", "file": "broken.png"}, "broken.png")
         mesh = {"type": "mesh", "file": str(tool.SCENES / "keel_fin.obj"), "texture": CHECKER}
         self.refused(tool.INPUT, "check", self.write("wrong.json", tool.scene([mesh])),
-                     says="/objects/0/texture: a mesh has no coordinates")
+                     says="/objects/0/texture: some faces of the mesh have no texture coordinates (vt)")
 
 
 tool.main()

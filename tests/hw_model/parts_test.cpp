@@ -80,6 +80,7 @@ std::vector<Frame> frames() {
       shipped("quadrics", 2, 3, with({controller}, {"plane", "cylinder", "cone", "ellipsoid", "quadric", "triangle"})),
       shipped("tori", 1, 2, with({controller}, {"sphere", "plane", "torus"})),
       shipped("crystals", 2, 3, with({controller}, {"sphere", "plane", "triangle", "instance"})),
+      shipped("buoys", 1, 2, with({controller, shadows, "color_unit.texture"}, {"plane", "triangle"})),
       shipped(
           "shadows", 3, 3,
           with({controller, shadows}, {"sphere", "plane", "box", "cylinder", "cone", "ellipsoid", "quadric", "disc"})),

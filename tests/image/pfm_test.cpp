@@ -82,7 +82,7 @@ TEST_F(PfmTest, bad_files_are_named) {
                                                         {"99999999999 1", "99999999999 for columns"}}) {
     EXPECT_EQ(message("PF\n" + size + "\n"), "bad header: " + shown + "; a whole number from 1 is allowed");
   }
-  EXPECT_EQ(message("PF\n100000 100000\n"), "100000x100000; up to 134217728 pixels in all are allowed");
+  EXPECT_EQ(message("PF\n100000 100000\n"), "100000x100000; up to 268435456 pixels in all are allowed");
   for (const char* scale : {"0", "nan", "inf", "1x", "++1", "+-1"}) {
     EXPECT_EQ(message("PF\n1 1\n" + std::string(scale) + "\n"),
               "bad header: " + std::string(scale) + " for the scale; a finite number other than 0 is allowed");

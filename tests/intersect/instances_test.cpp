@@ -18,9 +18,7 @@ Scene instances_alone(std::uint64_t seed, int count) { return random_scene(seed,
 Scene copied(Scene scene) {
   for (Object& object : scene.objects) {
     const auto& instance = std::get<MeshInstance>(object.surface);
-    Mesh mesh = instance.of->mesh;
-    for (glm::dvec3& vertex : mesh.vertices) vertex = rounded(instance.map.point(exactly(vertex)));
-    object.surface = mesh;
+    object.surface = instance.of->mesh.transformed(instance.map);
   }
   return scene;
 }

@@ -121,12 +121,10 @@ TEST_F(LoadMesh, WarnsOfPolygonsThatCrossThemselves) {
 
 TEST_F(LoadMesh, WarnsOnceOfWhatIsNotRead) {
   const std::string face = square + "f 1 2 3\n";
-  EXPECT_EQ(warnings(load(face + "mtllib a.mtl\no part\ng one two\nusemtl red\nf 1 3 4\nusemtl blue\n")),
-            " materials and groups are not read (g 1, mtllib 1, o 1, usemtl 2); the colour is the object's in the "
-            "scene, and all groups are one object\n");
-  EXPECT_EQ(warnings(load("v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nf 1 2 3\n")),
-            " materials and groups are not read (colours of vertices 2); the colour is the object's in the scene, and "
-            "all groups are one object\n");
+  EXPECT_EQ(
+      warnings(load("v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nf 1 2 3\nbevel on\n")),
+      " how things look is not read (bevel 1, colours of vertices 2); materials (usemtl) are, of one colour each or a "
+      "picture\n");
   EXPECT_EQ(warnings(load(face + "l 1 2\nl 0\np 1\nvp 0 0\ncstype bezier\nend\n")),
             " lines, points and free-form surfaces are not read (cstype 1, end 1, l 2, p 1, vp 1); faces (f) are\n");
   EXPECT_EQ(
@@ -137,6 +135,77 @@ TEST_F(LoadMesh, WarnsOnceOfWhatIsNotRead) {
   EXPECT_EQ(warnings(load(many)),
             " unknown keywords (key10 1, key11 1, key12 1, key13 1, key14 1, key15 1, key16 1, key17 1 and 12 more); "
             "their lines are passed over\n");
+}
+
+TEST_F(LoadMesh, SaysWhatIsLeftUnused) {
+  const auto loaded = load(square + "o a\nusemtl red\nf 1 2 3\nusemtl blue\no b\nf 1 3 4\n");
+  EXPECT_TRUE(loaded.warnings.empty());
+  EXPECT_TRUE(loaded.unused("m.obj", true, true).empty());
+  EXPECT_EQ(loaded.unused("m.obj", false, true),
+            std::vector<std::string>{"m.obj: materials are not used (2), since the object has a color or a texture"});
+  EXPECT_EQ(loaded.unused("m.obj", false, false),
+            (std::vector<std::string>{"m.obj: materials are not used (2), since the object has a color or a texture",
+                                      "m.obj: groups are one object (2); with \"split\": \"groups\" each is one"}));
+  EXPECT_TRUE(loaded.unused("m.obj", true, false).empty()) << "by its materials it is several";
+  EXPECT_TRUE(load(square + "o a\ng c\nf 1 2 3\ng b\n").unused("m.obj", false, false).empty())
+      << "one group has a face";
+}
+
+TEST_F(LoadMesh, GroupsHaveTheNamesOfObjectAndGroup) {
+  const auto loaded =
+      load(square + "f 1 2 3\ng wheel  left\nf 1 2 4\no car\nf 1 3 4\ng wheel\nf 2 3 4\no car\nf 1 2 3\n");
+  std::vector<std::string> names;
+  for (const TriangleMark& mark : loaded.marks) names.push_back(loaded.groups[mark.group].text);
+  EXPECT_EQ(names, (std::vector<std::string>{"", "wheel  left", "car", "car/wheel", "car"}));
+}
+
+TEST_F(LoadMesh, MaterialsLastUntilTheNext) {
+  const auto loaded =
+      load("mtllib a.mtl b.mtl\n" + square + "f 1 2 3\nusemtl my red\nf 1 2 4\nf 1 3 4 2\nusemtl blue\nf 2 3 4\n");
+  std::vector<std::uint32_t> materials;
+  for (const TriangleMark& mark : loaded.marks) materials.push_back(mark.material);
+  EXPECT_EQ(materials, (std::vector<std::uint32_t>{no_value, 0, 0, 0, 1}));
+  ASSERT_EQ(loaded.materials.size(), 2U);
+  EXPECT_EQ(loaded.materials[0].text, "my red");
+  EXPECT_EQ(loaded.materials[0].line, 7U);
+  ASSERT_EQ(loaded.libraries.size(), 1U);
+  EXPECT_EQ(loaded.libraries[0].text, "a.mtl b.mtl");
+}
+
+TEST_F(LoadMesh, TrianglesKeepWhatTheirCornersSelect) {
+  const auto& mesh = load(square +
+                          "vt 0.5\nvt 1 0.25 7\nvt -1 2\nvn 0 0 1\nvn 1 0 0\n"
+                          "f 1/1/1 2/2/2 3/-1/-2 4/1/1\nf 1//2 2//1 3//1\nf 1 1/1 2/1\n")
+                         .mesh;
+  ASSERT_EQ(mesh.triangles.size(), 3U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto places = mesh.places.of(k);
+    const auto normals = mesh.normals.of(k);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::uint32_t vertex = mesh.triangles[k][corner];
+      const std::array<glm::dvec2, 4> expected{{{0.5, 0}, {1, 0.25}, {-1, 2}, {0.5, 0}}};
+      EXPECT_EQ(places[corner], expected[vertex]) << k;
+      EXPECT_EQ(normals[corner], vertex == 1 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1)) << k;
+    }
+  }
+  EXPECT_EQ(mesh.places.corners[2], (TriangleCorners{no_value, no_value, no_value}));
+  EXPECT_EQ(mesh.normals.corners[2], (TriangleCorners{1, 0, 0}));
+  EXPECT_FALSE(all_have(mesh.places));
+  EXPECT_TRUE(all_have(mesh.normals));
+  EXPECT_FALSE(all_have(load(square + "f 1 2 3\n").mesh.places));
+}
+
+TEST_F(LoadMesh, RefusesWrongTextureCoordinatesAndNormals) {
+  EXPECT_EQ(mesh_error("vt\n"), ":1: a texture coordinate with 0 coordinates; one is needed, or two");
+  EXPECT_EQ(mesh_error("vt 0 x\n"), ":1: \"x\" is no coordinate; a number from -1e+30 to 1e+30 is allowed");
+  EXPECT_EQ(mesh_error("vn 0 1\n"), ":1: a normal with 2 components; three are needed");
+  EXPECT_EQ(mesh_error("vn 0 inf 1\n"), ":1: \"inf\" is no component; a number from -1e+30 to 1e+30 is allowed");
+  EXPECT_EQ(mesh_error(square + "f 1/1 2/1 3/1\n"),
+            ":5: the index 1 selects no texture coordinate; there are no texture coordinates to select");
+  EXPECT_EQ(mesh_error(square + "vn 0 0 1\nf 1//1 2//1 3//2\n"),
+            ":6: the index 2 selects no normal; 1 to 1, or -1 to -1 counted back from the last, is allowed");
+  EXPECT_EQ(mesh_error(square + "vn 0 0 1\nf 1//1 2//-2 3//1\n"),
+            ":6: the index -2 selects no normal; 1 to 1, or -1 to -1 counted back from the last, is allowed");
 }
 
 TEST_F(LoadMesh, RefusesWrongIndices) {

@@ -65,7 +65,8 @@ TEST_F(LoadSceneError, UnknownKeys) {
   EXPECT_EQ(error_with("/objects/2/radius", "1"),
             ": /objects/2/radius: unknown key; allowed keys: name, type, color, shadow, transform, texture, vertices");
   EXPECT_EQ(error_with("/objects/0", R"({"type": "mesh", "file": "m.obj", "color": [1, 1, 1], "x": 0})"),
-            ": /objects/0/x: unknown key; allowed keys: name, type, color, shadow, transform, texture, file");
+            ": /objects/0/x: unknown key; allowed keys: name, type, color, shadow, transform, texture, file, smooth, "
+            "split");
 }
 
 /// The message for lights in place of the good scene's light.

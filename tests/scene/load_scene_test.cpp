@@ -11,6 +11,7 @@
 #include "../shipped_scene.h"
 #include "../temp_folder.h"
 #include "error.h"
+#include "image/write_image.h"
 
 namespace pyrasim {
 namespace {
@@ -180,6 +181,118 @@ TEST_F(LoadScene, OneWarningForAllFacesOfAMeshWithoutAnArea) {
                                    ": 2 faces without an area were skipped; 1 triangles are left");
 }
 
+/// Two faces of two materials in two groups, one face of a third group without a material in front.
+class LoadScenesMeshes : public LoadScene {
+ protected:
+  LoadScenesMeshes() {
+    write("m.obj",
+          "mtllib m.mtl\nv 5 0 0\nv 5 1 0\nv 5 0 1\nv 5 1 1\nvt 0 0\nvt 1 0\nvt 0 1\nvn -1 0 0\n"
+          "f 1/1/1 2/2/1 3/3/1\no a\nusemtl red\nf 1/1/1 2/2/1 3/3/1\no b\nusemtl picture\nf 2/1/1 4/2/1 3/3/1\n"
+          "usemtl red\nf 2/1/1 4/2/1 3/3/1\n");
+    write("m.mtl", "newmtl red\nKd 1 0 0\nnewmtl picture\nKd 0.5 1 1\nmap_Kd -s 2 4 -o 0.5 0 x.png\n");
+    write_image(folder() / "x.png", Image(2, 2));
+  }
+  Scene mesh(const std::string& more) const {
+    return load(with_camera(small_screen, R"("objects": [{"type": "mesh", "file": "m.obj")" + more + "}]"));
+  }
+  std::string error(const std::string& more) const {
+    const std::string message = error_of<InputError>([&] { mesh(more); });
+    const std::string file = (folder() / "s.json").string();
+    return message.find(file) == 0 ? message.substr(file.size()) : message;
+  }
+};
+
+std::vector<std::string> names_of(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Object& object : scene.objects) names.push_back(object.name);
+  return names;
+}
+
+TEST_F(LoadScenesMeshes, WithoutAColourMaterialsCount) {
+  const Scene scene = mesh(R"(, "name": "tail", "shadow": false, "transform": {"translate": [1, 0, 0]})");
+  EXPECT_EQ(names_of(scene), (std::vector<std::string>{"tail", "tail/red", "tail/picture"}));
+  EXPECT_EQ(scene.objects[0].color, glm::dvec3(1));
+  EXPECT_EQ(scene.objects[1].color, glm::dvec3(1, 0, 0));
+  EXPECT_EQ(std::get<Mesh>(scene.objects[1].surface).triangles.size(), 2U);
+  EXPECT_EQ(scene.objects[2].color, glm::dvec3(0.5, 1, 1));
+  EXPECT_EQ(scene.objects[1].texture, nullptr);
+  ASSERT_NE(scene.objects[2].texture, nullptr);
+  const Texture& texture = scene.objects[2].texture->texture;
+  const TexturePoint cell = texture.cell(0.25, 0.5);  // scaled by 2 and 4, plus 0.5 and 0
+  EXPECT_DOUBLE_EQ(cell.u, 1.0);
+  EXPECT_DOUBLE_EQ(cell.v, 2.0);
+  for (const Object& object : scene.objects) {
+    EXPECT_FALSE(object.casts_shadow);
+    EXPECT_EQ(std::get<Mesh>(object.surface).vertices[0].x, 6);
+    EXPECT_TRUE(std::get<Mesh>(object.surface).places.empty());
+    EXPECT_TRUE(std::get<Mesh>(object.surface).normals.empty());
+  }
+  ASSERT_EQ(scene.warnings.size(), 1U);
+  EXPECT_NE(scene.warnings[0].find("faces before the first usemtl are white"), std::string::npos) << scene.warnings[0];
+  EXPECT_EQ(scene.files.size(), 4U) << "scene, mesh, library and picture";
+}
+
+TEST_F(LoadScenesMeshes, GroupsAreObjects) {
+  const Scene scene = mesh(R"(, "name": "tail", "split": "groups", "color": [0, 0, 1], "smooth": true)");
+  EXPECT_EQ(names_of(scene), (std::vector<std::string>{"tail", "tail/a", "tail/b"}));
+  for (const Object& object : scene.objects) {
+    EXPECT_EQ(object.color, glm::dvec3(0, 0, 1));
+    EXPECT_FALSE(std::get<Mesh>(object.surface).normals.empty());
+  }
+  EXPECT_EQ(names_of(mesh(R"(, "split": "groups")")), (std::vector<std::string>{"", "a/red", "b/picture", "b/red"}));
+}
+
+TEST_F(LoadScenesMeshes, ATextureIsOnAllParts) {
+  const std::string texture = R"(, "texture": {"type": "checker", "colors": [[1, 1, 1], [0, 0, 0]]})";
+  const Scene whole = mesh(texture);
+  ASSERT_EQ(whole.objects.size(), 1U);
+  EXPECT_EQ(whole.objects[0].color, glm::dvec3(1));
+  EXPECT_NE(whole.objects[0].texture, nullptr);
+  const Scene parts = mesh(texture + R"(, "split": "groups")");
+  ASSERT_EQ(parts.objects.size(), 3U);
+  for (const Object& object : parts.objects) EXPECT_NE(object.texture, nullptr);
+}
+
+TEST_F(LoadScenesMeshes, InstancesHaveTheTexturesAndNormalsOfTheirMesh) {
+  const Scene scene =
+      load(with_camera(small_screen, R"("shapes": {"s": {"type": "mesh", "file": "m.obj", "smooth": true}},
+      "objects": [{"type": "instance", "of": "s", "texture": {"type": "image", "file": "x.png"}}])"));
+  EXPECT_NE(scene.objects[0].texture, nullptr);
+  EXPECT_FALSE(std::get<MeshInstance>(scene.objects[0].surface).of->mesh.normals.empty());
+}
+
+TEST_F(LoadScenesMeshes, Mistakes) {
+  const std::string plain = "v 5 0 0\nv 5 1 0\nv 5 0 1\nvn 0 0 0\n";
+  const std::string picture = R"(, "texture": {"type": "image", "file": "x.png"})";
+  EXPECT_EQ(error(R"(, "split": "parts")"), ": /objects/0/split: \"parts\" is unknown; one of \"groups\" is allowed");
+  write("m.obj", plain + "f 1 2 3\n");
+  EXPECT_EQ(error(""), ": /objects/0: the key \"color\" is missing; it must be given");
+  EXPECT_EQ(
+      error(picture),
+      ": /objects/0/texture: some faces of the mesh have no texture coordinates (vt) at their corners; faces that "
+      "all have them may have textures");
+  EXPECT_EQ(
+      error(R"(, "color": [1, 1, 1], "smooth": true)"),
+      ": /objects/0/smooth: some faces of the mesh have no normals (vn) at their corners; normals of all, or false, "
+      "are needed");
+  write("m.obj", plain + "f 1//1 2//1 3//1\n");
+  EXPECT_EQ(error(R"(, "color": [1, 1, 1], "smooth": true)"),
+            ": /objects/0/smooth: a normal of the mesh has no length; normals with a direction, or false, are needed");
+  write("m.obj", plain + "mtllib m.mtl\nusemtl picture\nf 1 2 3\n");
+  EXPECT_EQ(error("").find(": /objects/0: some faces of the mesh have no texture coordinates"), 0U) << error("");
+  write("m.mtl", "newmtl picture\nmap_Kd none.png\n");
+  EXPECT_EQ(error("").find(": /objects/0/file: " + (folder() / "m.mtl").string() + ":2: "), 0U) << error("");
+  write("m.mtl", "newmtl picture\nmap_Kd x.jpg\n");
+  EXPECT_EQ(error(""), ": /objects/0/file: " + (folder() / "m.mtl").string() + ":2: " + (folder() / "x.jpg").string() +
+                           " is no PNG file by its name; a file that ends in .png is allowed");
+  const auto shape = [&] {
+    load(with_camera(small_screen,
+                     R"("shapes": {"s": {"type": "mesh", "file": "m.obj", "split": "groups"}}, "objects": [])"));
+  };
+  EXPECT_NE(error_of<InputError>(shape).find("/shapes/s/split: a shape is one surface; meshes of objects may be split"),
+            std::string::npos);
+}
+
 /// The unit normal of a mesh's triangle.
 glm::dvec3 normal(const Mesh& mesh, std::size_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
@@ -195,7 +308,8 @@ TEST_P(ShippedScene, LoadsWithoutWarnings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
-                         testing::Values("keel", "spheres", "fins", "blocks", "quadrics", "shadows", "tori", "bunny"),
+                         testing::Values("keel", "spheres", "fins", "blocks", "quadrics", "shadows", "tori", "bunny",
+                                         "horizon", "columns", "runway", "knot", "crystals", "buoys"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 TEST(ShippedScenes, KeelsFinAndRudderAreOneFlatObjectEach) {

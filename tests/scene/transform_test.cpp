@@ -121,7 +121,7 @@ TEST_F(Transforms, InstancesMayBeNestedDeeperThanCalls) {
 }
 
 TEST_F(Transforms, AMeshFileIsReadOnce) {
-  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl x\n");
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl x\nf 1 2 3\n");
   const Scene scene = load(R"("shapes": {"m": {"type": "mesh", "file": "m.obj"}},
     "objects": [{"type": "instance", "of": "m", "color": [1, 1, 1]},
                 {"type": "mesh", "file": "m.obj", "color": [1, 1, 1], "transform": {"scale": [1, 2, 3]}}])");

@@ -128,6 +128,85 @@ TEST(TexturedObject, AcrossABoxsEdgeTheCornersCount) {
   EXPECT_EQ(color_over(box, corners, TextureFilter::integral), color_over(box, corners, TextureFilter::point));
 }
 
+/// A parallelogram of a plane as two triangles, with the plane's own coordinates; of one of them `off` in u.
+Mesh parallelogram(const Plane& plane, double off) {
+  const glm::dvec3 a = plane.normal * (plane.offset / dot(plane.normal, plane.normal));
+  const glm::dvec3 one = glm::cross(plane.normal, glm::dvec3(0.3, 0.1, 1)) * 400.0;
+  const glm::dvec3 other = glm::cross(plane.normal, one) * 0.7;
+  Mesh mesh;
+  mesh.vertices = {a - one - other, a + one - other, a + one + other, a - one + other};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  for (const auto& [moved, triangle] : {std::pair(0.0, mesh.triangles[0]), {off, mesh.triangles[1]}}) {
+    TriangleCorners& corners = mesh.places.corners.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SurfaceCoordinates at = plane.coordinates_at(mesh.vertices[triangle[k]]);
+      corners[k] = static_cast<std::uint32_t>(mesh.places.values.size());
+      mesh.places.values.emplace_back(at.u + moved, at.v);
+    }
+  }
+  return mesh;
+}
+
+/// Seams included: where both triangles continue the texture, the mean is that of the plane.
+TEST(TexturedObject, AMeshInAPlaneHasThePlanesMeans) {
+  const Plane plane{{0.2, 1, -0.1}, -2};
+  const Texture texture = checker(0.7);
+  const TexturedObject expected(textured(plane, texture), 0);
+  const AffineMap map = AffineMap::translation({0.5, -0.25, 1}).after(AffineMap::scaling({2, 0.5, -3}));
+  const auto shared = std::make_shared<const InstancedMesh>(parallelogram(plane, 1.4));
+  const TexturedObject mesh(textured(parallelogram(plane, 1.4), texture), 0);
+  const TexturedObject instance(textured(MeshInstance{shared, {}}, texture), 0);
+  const TexturedObject moved_plane(textured(plane, texture, map), 0);
+  const TexturedObject moved_instance(textured(MeshInstance{shared, {}}, texture, map), 0);
+  Random random(5);
+  for (int k = 0; k < 300; ++k) {
+    const glm::dvec3 upper_left(1, random.uniform(-0.6, -0.3), random.uniform(-0.5, 0.4));
+    const double size = std::exp2(random.uniform(-8, -3));
+    std::array<glm::dvec3, 4> corners;
+    for (std::size_t c = 0; c < 4; ++c)
+      corners[c] = upper_left + glm::dvec3(0, c < 2 ? 0 : -size, c % 2 == 0 ? 0 : size);
+    const auto near = [&](const TexturedObject& one, const TexturedObject& other) {
+      EXPECT_NEAR(color_over(one, corners, TextureFilter::integral).x,
+                  color_over(other, corners, TextureFilter::integral).x, 1e-9)
+          << k;
+      EXPECT_EQ(color_at(one, corners[0]), color_at(other, corners[0])) << k;
+    };
+    near(mesh, expected);
+    near(instance, expected);
+    near(moved_instance, moved_plane);
+  }
+}
+
+/// Each triangle that a corner sees is asked for one footprint, each of four places.
+TEST(TexturedObject, AMeshTakesAFootprintForEachTriangleSeen) {
+  const TexturedObject mesh(textured(parallelogram({{-1, 0, 0}, -6}, 0), checker(1)), 0);
+  const auto places = [&](double y, double z, double size) {
+    TextureWork work;
+    mesh.color_over(
+        {glm::dvec3{1, y + size, z - size}, {1, y + size, z + size}, {1, y - size, z - size}, {1, y - size, z + size}},
+        TextureFilter::integral, work);
+    return work.places;
+  };
+  EXPECT_EQ(places(0, 0, 0.01), 8U) << "both, about the diagonal's middle";
+  std::uint64_t ones = 0;
+  for (double turn = 0; turn < 6; turn += 0.5)
+    ones += places(0.2 * std::sin(turn), 0.2 * std::cos(turn), 1e-4) == 4 ? 1 : 0;
+  EXPECT_GE(ones, 10U);
+}
+
+/// Along a silhouette the planes of the triangles run beside the pyramid: what the corners see counts.
+TEST(TexturedObject, AMeshWithoutFootprintsHasWhatItsCornersSee) {
+  Mesh ridge;  // seen along its edge: both faces nearly from the side
+  ridge.vertices = {{4, 0, 0}, {4, 0, 1}, {400, -0.5, 0}, {400, -0.5, 1}};
+  ridge.triangles = {{0, 1, 2}, {1, 3, 2}};
+  ridge.places = {{{0, 0}, {0, 9}, {900, 0}, {900, 9}}, ridge.triangles};
+  const TexturedObject object(textured(ridge, checker(1)), 0);
+  const std::array<glm::dvec3, 4> corners{
+      glm::dvec3{1, 0.1, 0.001}, {1, 0.1, 0.002}, {1, -0.00126, 0.001}, {1, -0.00126, 0.002}};
+  const glm::dvec3 seen = color_over(object, corners, TextureFilter::integral);
+  EXPECT_EQ(seen, color_over(object, corners, TextureFilter::point));
+}
+
 TEST(SurfaceCoordinatesOf, EachSurface) {
   const auto expect = [](const SurfaceCoordinates& at, double u, double v, int chart = 0) {
     EXPECT_NEAR(at.u, u, 1e-12);
