@@ -19,27 +19,38 @@ template <class Scalar>
 typename Illumination<Scalar>::Place Illumination<Scalar>::place_of(const Vector<Scalar>& direction,
                                                                     const Hit<Scalar>& hit) const {
   const glm::dvec3 along = in_double(direction);
-  const auto place = [&](const glm::dvec3& outward, const glm::dvec3& shading_normal, const SurfaceIdentity& identity) {
-    const double side = glm::dot(outward, along) < 0 ? 1 : -1;
+  const auto place = [&](const glm::dvec3& outward, const SurfaceIdentity& identity) {
+    const glm::dvec3 normal = (glm::dot(outward, along) < 0 ? outward : -outward) / glm::length(outward);
     return Place{.position = along * static_cast<double>(hit.t),
-                 .normal = outward * side / glm::length(outward),
-                 .shading_normal = shading_normal * side / glm::length(shading_normal),
+                 .normal = normal,
+                 .shading_normal = normal,
                  .object = identity.object};
+  };
+  // On the side of the triangle's own normal, which says what the viewer's side is.
+  const auto smooth_place = [&](const glm::dvec3& outward, const glm::dvec3& shading_normal,
+                                const SurfaceIdentity& identity) {
+    Place smooth = place(outward, identity);
+    smooth.shading_normal =
+        (glm::dot(outward, along) < 0 ? shading_normal : -shading_normal) / glm::length(shading_normal);
+    return smooth;
   };
   return with_kind(hit.kind, [&](auto kind) {
     if constexpr (kind == index_of_kind<InstanceSurface>) {
       const InstancedTriangle<Scalar> triangle = triangle_of_hit(scene_, hit.index);
-      return place(in_double(triangle.outward()), in_double(triangle.shading_normal(direction)), triangle.identity);
+      const glm::dvec3 outward = in_double(triangle.outward());
+      if (!triangle.smooth()) return place(outward, triangle.identity);
+      return smooth_place(outward, in_double(triangle.shading_normal(direction)), triangle.identity);
     } else {
       const auto& [surfaces, shading] = std::get<kind>(scene_.kinds);
       const auto& surface = surfaces[hit.index];
       const auto& how = shading[hit.index];
       const glm::dvec3 outward = in_double(surface.outward(how, direction, hit.t));
-      if constexpr (requires { surface.shading_normal(how, direction, hit.t); }) {
-        return place(outward, in_double(surface.shading_normal(how, direction, hit.t)), surface.identity);
-      } else {
-        return place(outward, outward, surface.identity);
+      if constexpr (kind == index_of_kind<TriangleSurface>) {
+        if (how.normals) {
+          return smooth_place(outward, in_double(surface.shading_normal(how, direction)), surface.identity);
+        }
       }
+      return place(outward, surface.identity);
     }
   });
 }

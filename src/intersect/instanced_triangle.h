@@ -48,6 +48,7 @@ class InstancedTriangle {
     return moved;
   }
   Vector<Scalar> outward() const { return instance_.normal(normal_); }
+  bool smooth() const { return smooth_ != nullptr; }
   /// What outward() is to be taken for where light falls on it, where a ray along `direction` meets it.
   Vector<Scalar> shading_normal(const Vector<Scalar>& direction) const {
     const auto shear = instance_.shear(instance_.direction(direction));

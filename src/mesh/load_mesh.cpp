@@ -118,7 +118,7 @@ std::vector<std::string> LoadedMesh::unused(const std::string& file, bool materi
   }
   if (groups_met.size() > 1 && !materials_used && !groups_used) {
     result.push_back(
-        fmt::format("{}: groups are one object ({}); with \"split\": \"groups\" each is one", file, groups_met.size()));
+        fmt::format(R"({}: groups are one object ({}); with "split": "groups" each is one)", file, groups_met.size()));
   }
   return result;
 }

@@ -32,7 +32,8 @@ constexpr NumberRange any_number;
 
 /// The triangles of any polygon, without those that have no area.
 Mesh cut_up(const std::vector<glm::dvec3>& corners, const Triangulation& triangulation) {
-  Mesh mesh{{corners, {}}};
+  Mesh mesh;
+  mesh.vertices = corners;
   for (const auto& triangle : triangulation.triangles) {
     const auto& [a, b, c] = triangle;
     if (!is_degenerate(corners[a], corners[b], corners[c])) mesh.triangles.push_back(triangle);

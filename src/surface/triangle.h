@@ -87,15 +87,14 @@ struct TriangleSurface {
   std::array<Scalar, 3> weights(const TriangleShear<Scalar>& shear) const;
 
   Scalar shade(const Shading& shading, const Lighting<Scalar>& lighting, const Vector<Scalar>& direction,
-               Scalar t) const {
+               Scalar) const {
     if (!shading.normals) return shading.flat.seen_along(direction);
     if (!lighting.lit) return Scalar(1);
-    return lambert_of_curved(lighting, shading_normal(shading, direction, t), direction, shading.flat.normal);
+    return lambert_of_curved(lighting, shading_normal(shading, direction), direction, shading.flat.normal);
   }
   Vector<Scalar> outward(const Shading& shading, const Vector<Scalar>&, Scalar) const { return shading.flat.normal; }
-  /// What outward() is to be taken for where light falls on it.
-  Vector<Scalar> shading_normal(const Shading& shading, const Vector<Scalar>& direction, Scalar) const {
-    if (!shading.normals) return shading.flat.normal;
+  /// What outward() is to be taken for where light falls on a smooth surface.
+  Vector<Scalar> shading_normal(const Shading& shading, const Vector<Scalar>& direction) const {
     return on_side_of(shading.flat.normal, mean_normal(*shading.normals, weights(TriangleShear<Scalar>(direction))));
   }
 
