@@ -122,12 +122,14 @@ class Fifo final : public FifoBase {
   template <class Make>
   void put(const Make& make, Cycle now, Cycle visible) {
     fill(write_, make, now, visible);
-    if (events()) events().write(now);
+    if (events()) events().write(now, visible);
     note_writes(1);
   }
 
   [[gnu::noinline]] void report_writes(std::size_t tokens) const {
-    for (const Cell* cell = write_; tokens > 0; --tokens, cell = following(cell)) events().write(cell->written);
+    for (const Cell* cell = write_; tokens > 0; --tokens, cell = following(cell)) {
+      events().write(cell->written, cell->visible);
+    }
   }
   [[gnu::noinline]] void report_reads(std::size_t tokens) const {
     for (const Cell* cell = place_.next; tokens > 0; --tokens, cell = following(cell)) events().read(cell->freed - 1);

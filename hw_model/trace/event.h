@@ -24,7 +24,7 @@ struct Event {
   std::uint32_t source = 0;  ///< of a firing: its place in Processor::stages(); else the FIFO's in Processor::fifos()
   Cycle at = 0;              ///< cycle of the read, of the firing's start, of the write
   Cycle since = 0;           ///< of a firing: the end of the busy time before it; equal to `at` where it did not wait
-  Cycle until = 0;           ///< of a firing: the end of its own busy time
+  Cycle until = 0;           ///< of a firing: the end of its own busy time; of a write: when the token can be read
   std::uint64_t ray = no_number;     ///< by order of issue from 0, where the event is about a ray; see RayNumbers
   std::uint64_t parent = no_number;  ///< the request that asked for the ray, by order of issue from 0; none: a corner
 

@@ -16,7 +16,9 @@ class EventPort {
 
   explicit operator bool() const { return stream_ != nullptr; }
   void read(Cycle at) const { stream_->put({.kind = Event::Kind::read, .source = source_, .at = at}); }
-  void write(Cycle at) const { stream_->put({.kind = Event::Kind::write, .source = source_, .at = at}); }
+  void write(Cycle at, Cycle visible) const {
+    stream_->put({.kind = Event::Kind::write, .source = source_, .at = at, .until = visible});
+  }
   void firing(StageState waited, Cycle since, Cycle at, Cycle until) const {
     stream_->put({Event::Kind::firing, waited, source_, at, since, until});
   }

@@ -41,15 +41,19 @@ std::string_view line(std::array<char, 80>& buffer, char first, Number number, i
 
 }  // namespace
 
-VcdTrace::VcdTrace(Processor& processor, OutputFile& output)
-    : processor_(processor), output_(output), time_(processor.spec().clock_mhz) {
+VcdTrace::VcdTrace(Processor& processor, const TraceWindow& window, OutputFile& output)
+    : processor_(processor), window_(window), output_(output), time_(processor.spec().clock_mhz) {
   const std::size_t stages = processor.stages().size();
   signals_.resize(stages + processor.fifos().size());
   for (std::size_t k = 0; k < signals_.size(); ++k) {
+    const bool stage = k < stages;
     signals_[k].end = fmt::format(" {}\n", code(k));
-    if (k >= stages) signals_[k].fill = processor.fifos()[k - stages]->size();
+    signals_[k].shown =
+        window.shows(stage ? processor.stages()[k]->basename() : processor.fifos()[k - stages]->basename());
+    if (!stage) signals_[k].fill = processor.fifos()[k - stages]->size();
   }
   write_header();
+  if (window.from == 0) write_values();
   processor.attach(*this);
 }
 
@@ -61,17 +65,25 @@ void VcdTrace::write_header() {
                   version(), processor_.spec().clock_mhz, time_.unit(), processor_.basename()));
   const std::size_t stages = processor_.stages().size();
   for (std::size_t k = 0; k < stages; ++k) {
+    if (!signals_[k].shown) continue;
     output_.write(fmt::format("$var reg 2 {} {} [1:0] $end\n", code(k), processor_.stages()[k]->basename()));
   }
   for (std::size_t k = stages; k < signals_.size(); ++k) {
+    if (!signals_[k].shown) continue;
     const FifoBase& fifo = *processor_.fifos()[k - stages];
     const int bits = static_cast<int>(std::bit_width(fifo.depth()));
     output_.write(fmt::format("$var reg {} {} {} [{}:0] $end\n", bits, code(k), fifo.basename(), bits - 1));
   }
-  output_.write("$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n");
+  output_.write("$upscope $end\n$enddefinitions $end\n");
+}
+
+void VcdTrace::write_values() {
+  write_date(window_.from);
+  output_.write("$dumpvars\n");
   for (std::size_t k = 0; k < signals_.size(); ++k) {
-    if (k < stages) {
-      write_state(signals_[k], StageState::idle);
+    if (!signals_[k].shown) continue;
+    if (k < processor_.stages().size()) {
+      write_state(signals_[k]);
     } else {
       write_fill(signals_[k]);
     }
@@ -82,6 +94,7 @@ void VcdTrace::write_header() {
 void VcdTrace::take(const Event& event) {
   write_before(event.at);
   const std::size_t fifo = processor_.stages().size() + event.source;
+  if (!signals_[event.kind == Event::Kind::firing ? event.source : fifo].shown) return;
   switch (event.kind) {
     case Event::Kind::read:
       agenda_.push({event.at + 1, fifo, Change::loses});
@@ -100,9 +113,11 @@ void VcdTrace::take(const Event& event) {
   }
 }
 
-void VcdTrace::finish() {
+void VcdTrace::finish(Cycle cycles) {
   write_before(never);
-  if (written_ != processor_.cycles()) write_date(processor_.cycles());
+  if (!written_) write_values();
+  const Cycle end = std::min(cycles, window_.to);
+  if (end > *written_) write_date(end);
 }
 
 void VcdTrace::write_before(Cycle date) {
@@ -111,6 +126,8 @@ void VcdTrace::write_before(Cycle date) {
 
 /// A stage that fires in the cycle in which it comes to rest stays busy, a FIFO that gains and loses keeps its fill.
 void VcdTrace::write_changes(Cycle at) {
+  if (!written_ && at > window_.from) write_values();
+  const bool shown = written_ && at < window_.to;
   while (!agenda_.empty() && agenda_.top().at == at) {
     const std::size_t number = agenda_.top().signal;
     Signal& signal = signals_[number];
@@ -125,15 +142,13 @@ void VcdTrace::write_changes(Cycle at) {
       if (change == Change::loses) --fill;
     }
     if (fires == rests && fill == signal.fill) continue;
-    if (written_ != at) write_date(at);
-    if (fires) {
-      write_state(signal, StageState::busy);
-    } else if (rests) {
-      signal.gap = output_.size() + 1;
-      write_state(signal, StageState::idle);
+    if (shown && written_ != at) write_date(at);
+    if (fires || rests) {
+      signal.state = fires ? StageState::busy : StageState::idle;
+      if (shown) write_state(signal);
     } else {
       signal.fill = fill;
-      write_fill(signal);
+      if (shown) write_fill(signal);
     }
   }
 }
@@ -144,9 +159,12 @@ void VcdTrace::write_date(Cycle at) {
   written_ = at;
 }
 
-void VcdTrace::write_state(const Signal& signal, StageState state) {
+/// What a stage that rests waits for, is known later.
+void VcdTrace::write_state(Signal& signal) {
+  signal.gap.reset();
+  if (signal.state != StageState::busy) signal.gap = output_.size() + 1;
   output_.write("b");
-  output_.write(bits_of(state));
+  output_.write(bits_of(signal.state));
   output_.write(signal.end);
 }
 

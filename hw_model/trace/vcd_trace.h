@@ -10,6 +10,7 @@
 
 #include "files/output_file.h"
 #include "hw_model/processor.h"
+#include "hw_model/trace/trace.h"
 #include "hw_model/trace/vcd_time.h"
 
 namespace pyrasim::hw {
@@ -20,16 +21,15 @@ namespace pyrasim::hw {
 /// A stage's signal has two bits: 0 idle, 1 busy, 2 starved, 3 blocked. A FIFO's is the number of tokens, where a token
 /// counts from the cycle of its write to that of its read. Time is the clock's: see VcdTime. What a stage waits for is
 /// known only when it fires again, perhaps much later: its signal's value is then written where the wait began.
-class VcdTrace final : public EventSink {
+class VcdTrace final : public Trace, public EventSink {
  public:
   /// Of `processor`, whose simulation has not started, to `output`, which has to be revisable; both outlive it.
-  VcdTrace(Processor& processor, OutputFile& output);
+  VcdTrace(Processor& processor, const TraceWindow& window, OutputFile& output);
   VcdTrace(const VcdTrace&) = delete;
   VcdTrace& operator=(const VcdTrace&) = delete;
 
   void take(const Event& event) override;
-  /// Writes the rest, of a frame that is over. The output is not committed.
-  void finish();
+  void finish(Cycle cycles) override;
 
  private:
   enum class Change : std::uint8_t { fires, rests, gains, loses };
@@ -43,24 +43,29 @@ class VcdTrace final : public EventSink {
     }
   };
   struct Signal {
-    std::string end;                   ///< of a line: its code
-    std::size_t fill = 0;              ///< of a FIFO, as it was written last
-    std::optional<std::uint64_t> gap;  ///< of a stage that rests: where in the file its value stands
+    std::string end;  ///< of a line: its code
+    bool shown = false;
+    StageState state = StageState::idle;  ///< of a stage: busy or idle
+    std::size_t fill = 0;                 ///< of a FIFO, as it was written last
+    std::optional<std::uint64_t> gap;     ///< of a stage that rests: where in the file its value stands
   };
 
   void write_header();
+  /// The first values of all signals, at the window's beginning.
+  void write_values();
   void write_before(Cycle date);
   void write_changes(Cycle at);
   void write_date(Cycle at);
-  void write_state(const Signal& signal, StageState state);
+  void write_state(Signal& signal);
   void write_fill(const Signal& signal);
 
   Processor& processor_;
+  TraceWindow window_;
   OutputFile& output_;
   VcdTime time_;
   std::vector<Signal> signals_;  ///< of the stages, then of the FIFOs
   std::priority_queue<Item, std::vector<Item>, std::greater<>> agenda_;
-  Cycle written_ = 0;  ///< date
+  std::optional<Cycle> written_;  ///< date; none before the window
 };
 
 }  // namespace pyrasim::hw

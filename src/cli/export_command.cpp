@@ -22,7 +22,7 @@ struct ExportCommand {
     const Scene scene = frame.load();
     OutputPlan plan;
     plan.reads("SCENE", scene.files);
-    plan.writes("-o", output, ".pov");
+    plan.writes("-o", output, {".pov"});
     TextOutput file(output);
     const auto textured = std::count_if(scene.objects.begin(), scene.objects.end(),
                                         [](const Object& object) { return object.texture != nullptr; });

@@ -36,11 +36,14 @@ void OutputPlan::reads(const std::string& option, const std::vector<std::string>
 
 std::ostream& OutputPlan::table() const { return stdout_taken_ ? std::cerr : std::cout; }
 
-void OutputPlan::writes(const std::string& option, const std::string& name, std::string_view ending) {
+void OutputPlan::writes(const std::string& option, const std::string& name,
+                        const std::vector<std::string_view>& endings) {
   if (name.empty()) return;
   const FilePlace place = output_place(name);
-  if (!ending.empty() && std::filesystem::path(name).extension() != ending && !is_stream(place)) {
-    throw UsageError(fmt::format("{} {}: its name must end in {}, or be - for stdout", option, name, ending));
+  const auto fits = [&](std::string_view ending) { return std::filesystem::path(name).extension() == ending; };
+  if (!endings.empty() && std::none_of(endings.begin(), endings.end(), fits) && !is_stream(place)) {
+    throw UsageError(
+        fmt::format("{} {}: its name must end in {}, or be - for stdout", option, name, fmt::join(endings, ", ")));
   }
   for (const Named& other : written_) {
     if (same_place(place, other.place)) {

@@ -18,9 +18,9 @@ class OutputPlan {
   void reads(const std::string& option, const std::string& file);
   void reads(const std::string& option, const std::vector<std::string>& files);
 
-  /// The name ("-": stdout) has to end in `ending`, unless that is empty or the name leads to a device or a pipe.
-  /// Nothing where the name is empty.
-  void writes(const std::string& option, const std::string& file, std::string_view ending = "");
+  /// The name ("-": stdout) has to end in one of `endings`, unless there are none or the name leads to a device or a
+  /// pipe. Nothing where the name is empty.
+  void writes(const std::string& option, const std::string& file, const std::vector<std::string_view>& endings = {});
 
   /// Where the table for people goes: stdout, or stderr where an output has taken that.
   std::ostream& table() const;

@@ -17,6 +17,11 @@ class RevisableOutput {
   explicit RevisableOutput(const std::string& file);
 
   OutputFile& file() { return scratch_ ? *scratch_ : *output_; }
+  /// Gives a file of its own its name with what it holds, and lets it grow from now on; other outputs wait for
+  /// commit().
+  void publish() {
+    if (!scratch_) output_->publish();
+  }
   /// Completes the output. Throws RunError, as OutputFile does.
   void commit();
 

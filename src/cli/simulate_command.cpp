@@ -10,9 +10,8 @@
 #include "cli/machine_options.h"
 #include "cli/map_outputs.h"
 #include "cli/output_plan.h"
-#include "cli/revisable_output.h"
 #include "cli/statistics_document.h"
-#include "hw_model/trace/vcd_trace.h"
+#include "cli/trace_outputs.h"
 #include "run/interrupt.h"
 #include "run/simulation.h"
 
@@ -26,7 +25,7 @@ struct SimulateCommand {
   hw::Engine engine = hw::Engine::decoupled;
   int threads = 0;
   std::string stats;
-  std::string trace;
+  TraceOptions trace;
   std::vector<std::string> maps;
   bool explain = false;
 
@@ -38,13 +37,12 @@ struct SimulateCommand {
     plan.reads("--machine", machine.file);
     plan.writes("-o", image.file);
     plan.writes("--stats", stats);
-    plan.writes("--trace", trace, ".vcd");
+    TraceOutputs traces(trace, plan);
     MapOutputs pictures_of_cost(maps, cost_map_names.size(), plan);
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
-    std::optional<RevisableOutput> vcd;
-    if (!trace.empty()) vcd.emplace(trace);
+    traces.open();
     pictures_of_cost.open();
 
     Simulation simulation(asked, *scene,
@@ -52,21 +50,20 @@ struct SimulateCommand {
                            .progress = progress_bar("simulating"),
                            .maps = pictures_of_cost.begin(asked.rendered(), asked.max_level)});
     const hw::Processor& processor = simulation.processor();
-    std::optional<hw::VcdTrace> vcd_trace;
-    if (vcd) vcd_trace.emplace(simulation.processor(), vcd->file());
+    traces.begin(simulation.processor());
     if (statistics) simulation.watch_occupancies();
     Outcome outcome;
-    run_interruptibly([&] { outcome = simulation.run(); },
-                      [&] {
-                        return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
-                                           processor.frame_buffer().stored(), processor.image().pixels().size());
-                      });
+    run_interruptibly(
+        [&] {
+          outcome = simulation.run();
+          traces.finish(processor.cycles());  // of a frame that was broken off, too
+        },
+        [&] {
+          return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
+                             processor.frame_buffer().stored(), processor.image().pixels().size());
+        });
     require_finished(outcome);
     picture.write(processor.image());
-    if (vcd) {
-      vcd_trace->finish();
-      vcd->commit();
-    }
     if (statistics) statistics->write(text_of(simulation_document(asked, outcome)));
     plan.table() << simulation_table(asked, outcome);
     if (explain) plan.table() << parts_table(outcome);
@@ -95,8 +92,7 @@ void add_simulate_command(const Command& program) {
                    "0: one for each core; a second one traces ahead; results do not depend on it")
       .show_default();
   command.add_text("--stats", options->stats, "statistics as JSON; - for stdout").type_name("FILE|-");
-  command.add_text("--trace", options->trace, "states of units and fill of FIFOs over time; - for stdout")
-      .type_name("FILE.vcd|-");
+  options->trace.add(command);
   add_map_option(command, options->maps, cost_map_names.size());
   command.add_flag("--explain", options->explain, "what of the machine was built, why, and what it costs");
 }

@@ -65,7 +65,7 @@ struct NumericsStudy {
     plan.reads("SCENE", scene->files);
     plan.reads("--machine", machine.file);
     plan.writes("--csv", csv);
-    plan.writes("--plot", plot, ".svg");
+    plan.writes("--plot", plot, {".svg"});
     RowOutput output(csv, plan.table());
     std::optional<TextOutput> picture;
     if (!plot.empty()) picture.emplace(plot);

@@ -10,14 +10,14 @@ SMALL = [KEEL, "--size", "32x24", "--max-level", "3"]
 
 class MaxCycles(tool.EndToEnd):
     def test_simulate_to_the_cycle(self):
-        """The frame's own cycles are enough, one less is not; nothing is left behind."""
+        """The frame's own cycles are enough, one less is not; nothing but a trace is left behind."""
         for engine in ("decoupled", "lockstep"):
-            simulate = ["simulate", *SMALL, "--engine", engine, "-o", "out.png", "--trace", "out.vcd", "--stats"]
+            simulate = ["simulate", *SMALL, "--engine", engine, "-o", "out.png", "--stats"]
             cycles = self.stats("simulate", *SMALL)["machine"]["cycles"]
             for limit in (1, cycles // 2, cycles - 1):
                 self.refused(LIMIT, *simulate, "out.json", "--max-cycles", limit, more_lines=True,
                              says=f"the frame is not finished within {limit} cycles")
-            self.ok(*simulate, "out.json", "--max-cycles", cycles)
+            self.ok(*simulate, "out.json", "--max-cycles", cycles, "--trace", "out.vcd")
             self.assertEqual({file.name for file in self.folder.iterdir()}, {"out.png", "out.vcd", "out.json"})
             for file in self.folder.iterdir():
                 file.unlink()

@@ -129,7 +129,7 @@ TEST_F(VcdTraceTest, HoldsEverySignalInEveryCycle) {
     OutputFile output;
     VcdTrace vcd;
     Traced(Processor& machine, const std::filesystem::path& file)
-        : events(machine), output(file), vcd(machine, output) {
+        : events(machine), output(file), vcd(machine, {}, output) {
       for (const FifoBase* fifo : machine.fifos()) preloaded.push_back(fifo->size());
     }
   };
@@ -148,7 +148,7 @@ TEST_F(VcdTraceTest, HoldsEverySignalInEveryCycle) {
   simulation.run();
   for (Traced& traced : machines) {
     SCOPED_TRACE(traced.events.machine().name());
-    traced.vcd.finish();
+    traced.vcd.finish(traced.events.machine().cycles());
     traced.output.commit();
     const auto values = read_vcd(contents(traced.output.path()), traced.events.machine().cycles());
     EXPECT_TRUE(values == counted(traced.events, traced.preloaded));
@@ -162,7 +162,7 @@ TEST_F(VcdTraceTest, LeavesNothingOfARunThatStops) {
   {
     Processor machine("machine", random_scene(3, {30, 30, 0}, 16, 400), {}, options);
     OutputFile output(in_folder("out.vcd"));
-    VcdTrace vcd(machine, output);
+    VcdTrace vcd(machine, {}, output);
     sc_core::sc_start();
     EXPECT_FALSE(machine.complete());
     EXPECT_GT(output.size(), 10'000U);

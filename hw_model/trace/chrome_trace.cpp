@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/trace/chrome_trace.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "version.h"
+
+namespace pyrasim::hw {
+namespace {
+
+constexpr std::array<std::string_view, 4> state_names{"idle", "busy", "starved", "blocked"};
+
+}  // namespace
+
+ChromeTrace::ChromeTrace(const Processor& processor, OutputFile& output) : processor_(processor), output_(output) {
+  output_.write(fmt::format(
+      R"([{{"ph":"M","pid":1,"name":"process_name","args":{{"name":"{}, {} MHz: 1 us here is 1 cycle; pyrasim {}"}}}})",
+      processor.basename(), processor.spec().clock_mhz, version()));
+  for (std::size_t k = 0; k < processor.stages().size(); ++k) {
+    output_.write(
+        fmt::format(",\n"
+                    R"({{"ph":"M","pid":1,"tid":{0},"name":"thread_name","args":{{"name":"{1}"}}}})"
+                    ",\n"
+                    R"({{"ph":"M","pid":1,"tid":{0},"name":"thread_sort_index","args":{{"sort_index":{0}}}}})",
+                    k + 1, processor.stages()[k]->basename()));
+  }
+}
+
+void ChromeTrace::span(const Span& span) {
+  output_.write(
+      fmt::format(",\n"
+                  R"({{"ph":"X","pid":1,"tid":{},"ts":{},"dur":{},"name":"{}")",
+                  span.unit + 1, span.begin, span.end - span.begin, state_names[static_cast<std::size_t>(span.state)]));
+  if (span.ray != no_number) {
+    output_.write(fmt::format(R"(,"args":{{"ray":{})", span.ray));
+    if (span.parent != no_number) output_.write(fmt::format(R"(,"request":{})", span.parent));
+    output_.write("}");
+  }
+  output_.write("}");
+}
+
+void ChromeTrace::fill(std::size_t fifo, Cycle at, std::size_t tokens) {
+  output_.write(
+      fmt::format(",\n"
+                  R"({{"ph":"C","pid":1,"ts":{},"name":"{}","args":{{"tokens":{}}}}})",
+                  at, processor_.fifos()[fifo]->basename(), tokens));
+}
+
+void ChromeTrace::finish(Cycle) { output_.write("]\n"); }
+
+}  // namespace pyrasim::hw

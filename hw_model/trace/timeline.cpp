@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/trace/timeline.h"
+
+#include <algorithm>
+
+namespace pyrasim::hw {
+
+Timeline::Timeline(Processor& processor, const TraceWindow& window, TraceWriter& writer)
+    : processor_(processor), window_(window), writer_(writer) {
+  for (const Stage* stage : processor.stages()) units_.push_back({window.shows(stage->basename())});
+  for (const FifoBase* fifo : processor.fifos()) fifos_.push_back({window.shows(fifo->basename()), fifo->size()});
+  processor.attach(*this);
+}
+
+void Timeline::show(Span span) {
+  span.begin = std::max(span.begin, window_.from);
+  span.end = std::min(span.end, window_.to);
+  if (span.begin < span.end) writer_.span(span);
+}
+
+void Timeline::take(const Event& event) {
+  if (event.kind == Event::Kind::firing) {
+    Unit& unit = units_[event.source];
+    unit.until = event.until;
+    if (!unit.shown || !window_.overlaps(event.since, event.until)) return;
+    show({event.source, event.waited, event.since, event.at});
+    show({event.source, StageState::busy, event.at, event.until, event.ray, event.parent});
+    return;
+  }
+  Fill& fifo = fifos_[event.source];
+  if (!fifo.shown) return;
+  lose_before(event.source, event.at);
+  if (event.kind == Event::Kind::read) {
+    fifo.losses[fifo.losses[0] == never ? 0 : 1] = event.at + 1;
+  } else if (fifo.losses[0] == event.at) {  // it gains one and loses one
+    fifo.losses = {fifo.losses[1], never};
+  } else {
+    ++fifo.tokens;
+    change(event.source, event.at);
+  }
+}
+
+void Timeline::lose_before(std::size_t fifo, Cycle date) {
+  Fill& its = fifos_[fifo];
+  while (its.losses[0] < date) {
+    --its.tokens;
+    change(fifo, its.losses[0]);
+    its.losses = {its.losses[1], never};
+  }
+}
+
+/// What a FIFO holds when the window begins is said there.
+void Timeline::change(std::size_t fifo, Cycle at) {
+  Fill& its = fifos_[fifo];
+  if (at < window_.from || at >= window_.to) return;
+  its.written = its.tokens;
+  writer_.fill(fifo, at, its.tokens);
+}
+
+void Timeline::finish(Cycle cycles) {
+  for (std::size_t k = 0; k < units_.size(); ++k) {
+    if (units_[k].shown) show({k, StageState::idle, units_[k].until, cycles});
+  }
+  for (std::size_t k = 0; k < fifos_.size(); ++k) {
+    if (fifos_[k].shown) lose_before(k, never);
+  }
+  writer_.finish(std::min(cycles, window_.to));
+}
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "hw_model/processor.h"
+#include "hw_model/trace/trace_window.h"
+#include "hw_model/trace/trace_writer.h"
+
+namespace pyrasim::hw {
+
+/// Makes spans of units and fills of FIFOs of a machine's events, and hands to a writer what its window shows: a span
+/// that reaches beyond it is cut.
+///
+/// A token counts from the cycle of its write to that of its read, both included.
+class Timeline final : public EventSink {
+ public:
+  /// Of `processor`, whose simulation has not started; all outlive it.
+  Timeline(Processor& processor, const TraceWindow& window, TraceWriter& writer);
+  Timeline(const Timeline&) = delete;
+  Timeline& operator=(const Timeline&) = delete;
+
+  void take(const Event& event) override;
+  /// Of a frame of `cycles` that is over, or was broken off there.
+  void finish(Cycle cycles);
+
+ private:
+  struct Unit {
+    bool shown = false;
+    Cycle until = 0;  ///< the end of its last span
+  };
+  struct Fill {
+    bool shown = false;
+    std::size_t tokens = 0;
+    std::array<Cycle, 2> losses{never,
+                                never};  ///< dates, the earlier one first: at most one of a cycle and of the next
+    std::optional<std::size_t> written;  ///< that the writer knows
+
+    void read(Cycle at);
+  };
+
+  void show(Span span);
+  void change(std::size_t fifo, Cycle at);
+  /// Takes the losses before `date` into account.
+  void lose_before(std::size_t fifo, Cycle date);
+
+  const Processor& processor_;
+  TraceWindow window_;
+  TraceWriter& writer_;
+  std::vector<Unit> units_;
+  std::vector<Fill> fifos_;
+};
+
+}  // namespace pyrasim::hw

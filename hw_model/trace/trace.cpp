@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hw_model/trace/trace.h"
+
+#include "hw_model/trace/chrome_trace.h"
+#include "hw_model/trace/kanata_trace.h"
+#include "hw_model/trace/perfetto_trace.h"
+#include "hw_model/trace/timeline.h"
+#include "hw_model/trace/vcd_trace.h"
+
+namespace pyrasim::hw {
+namespace {
+
+template <class Kind>
+std::unique_ptr<Trace> make(Processor& processor, const TraceWindow& window, OutputFile& output) {
+  return std::make_unique<Kind>(processor, window, output);
+}
+
+/// A writer, and the timeline that it is told.
+template <class Writer>
+class Written final : public Trace {
+ public:
+  Written(Processor& processor, const TraceWindow& window, OutputFile& output)
+      : writer_(processor, output), timeline_(processor, window, writer_) {}
+  void finish(Cycle cycles) override { timeline_.finish(cycles); }
+
+ private:
+  Writer writer_;
+  Timeline timeline_;
+};
+
+}  // namespace
+
+const std::array<TraceFormat, 4> trace_formats{{{".vcd", true, make<VcdTrace>},
+                                                {".pftrace", false, make<Written<PerfettoTrace>>},
+                                                {".json", false, make<Written<ChromeTrace>>},
+                                                {".kanata", false, make<KanataTrace>}}};
+
+}  // namespace pyrasim::hw

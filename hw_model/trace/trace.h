@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "files/output_file.h"
+#include "hw_model/processor.h"
+#include "hw_model/trace/trace_window.h"
+
+namespace pyrasim::hw {
+
+/// What happens in a machine, written as a file while the frame runs.
+class Trace {
+ public:
+  virtual ~Trace() = default;
+  /// Writes the rest, of a frame of `cycles` that is over or was broken off. The output is not committed.
+  virtual void finish(Cycle cycles) = 0;
+};
+
+/// A format that a trace can have.
+struct TraceFormat {
+  std::string_view ending;  ///< of files' names
+  bool revises;             ///< what has been written may be overwritten: the output has to be revisable
+  /// Of `processor`, whose simulation has not started; all outlive it.
+  std::unique_ptr<Trace> (*make)(Processor& processor, const TraceWindow& window, OutputFile& output);
+};
+
+extern const std::array<TraceFormat, 4> trace_formats;
+
+}  // namespace pyrasim::hw

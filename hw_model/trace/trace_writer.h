@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hw_model/cycle.h"
+#include "hw_model/stage/stage_state.h"
+#include "hw_model/trace/event.h"
+
+namespace pyrasim::hw {
+
+/// A stretch of a unit's time, [begin, end) in cycles, in which it is in one state.
+struct Span {
+  std::size_t unit;  ///< in Processor::stages()
+  StageState state;
+  Cycle begin;
+  Cycle end;
+  std::uint64_t ray = no_number;     ///< that it works on, where that is known
+  std::uint64_t parent = no_number;  ///< the request that asked for the ray; none: a corner
+};
+
+/// Writes what Timeline makes of a machine's events in one format. Of each unit spans ascend and do not overlap; of
+/// each FIFO fills ascend; one with another they need not.
+class TraceWriter {
+ public:
+  virtual ~TraceWriter() = default;
+  virtual void span(const Span& span) = 0;
+  /// The FIFO (in Processor::fifos()) holds so many tokens from the start of cycle `at` on.
+  virtual void fill(std::size_t fifo, Cycle at, std::size_t tokens) = 0;
+  /// The frame is over.
+  virtual void finish(Cycle cycles) = 0;
+};
+
+}  // namespace pyrasim::hw

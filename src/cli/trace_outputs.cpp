@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/trace_outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "error.h"
+
+namespace pyrasim::cli {
+namespace {
+
+std::vector<std::string_view> endings() {
+  std::vector<std::string_view> endings;
+  for (const hw::TraceFormat& format : hw::trace_formats) endings.push_back(format.ending);
+  return endings;
+}
+
+/// The first, of streams whose names say nothing.
+const hw::TraceFormat& format_of(const std::string& file) {
+  const auto found = std::find_if(
+      hw::trace_formats.begin(), hw::trace_formats.end(),
+      [ending = std::filesystem::path(file).extension()](const auto& format) { return ending == format.ending; });
+  return found == hw::trace_formats.end() ? hw::trace_formats.front() : *found;
+}
+
+}  // namespace
+
+TraceOutputs::TraceOutputs(const TraceOptions& asked, OutputPlan& plan) : window_(asked.window) {
+  if (window_.from >= window_.to) {
+    throw UsageError(
+        fmt::format("--trace-from {} --trace-to {}: no cycle lies between them; more of the second is needed",
+                    window_.from, window_.to));
+  }
+  for (const std::string& file : asked.files) {
+    plan.writes("--trace", file, endings());
+    asked_.push_back({file, &format_of(file)});
+  }
+}
+
+void TraceOutputs::open() {
+  for (const Asked& asked : asked_) outputs_.push_back(std::make_unique<RevisableOutput>(asked.file));
+}
+
+void TraceOutputs::begin(hw::Processor& processor) {
+  for (std::size_t k = 0; k < asked_.size(); ++k) {
+    traces_.push_back(asked_[k].format->make(processor, window_, outputs_[k]->file()));
+    if (!asked_[k].format->revises) outputs_[k]->publish();
+  }
+}
+
+void TraceOutputs::finish(hw::Cycle cycles) {
+  for (std::size_t k = 0; k < traces_.size(); ++k) {
+    traces_[k]->finish(cycles);
+    outputs_[k]->commit();
+  }
+}
+
+void TraceOptions::add(const Command& command) {
+  command
+      .add_texts(
+          "--trace", files,
+          "what units and FIFOs do over time, may be given for several files: VCD (GTKWave), .pftrace (Perfetto), "
+          ".json (Chrome), .kanata (Konata: a row for each ray); - for VCD on stdout")
+      .type_name("FILE.vcd|.pftrace|.json|.kanata|-");
+  command.add_integer("--trace-from", window.from, 0, hw::never - 1, "the first cycle that traces show")
+      .type_name("CYCLE");
+  command.add_integer("--trace-to", window.to, 1, hw::never - 1, "the cycle with which traces end").type_name("CYCLE");
+  command
+      .add_texts("--trace-unit", window.units,
+                 "the units and FIFOs that traces show, as a shell's pattern: 'intersection_unit*'; repeatable")
+      .type_name("GLOB");
+}
+
+}  // namespace pyrasim::cli

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/output_plan.h"
+#include "cli/revisable_output.h"
+#include "hw_model/trace/trace.h"
+
+namespace pyrasim::cli {
+
+/// --trace, and what of the frame traces show.
+struct TraceOptions {
+  std::vector<std::string> files;
+  hw::TraceWindow window;
+
+  void add(const Command& command);
+};
+
+/// The files of --trace, each in the format that its name ends in.
+class TraceOutputs {
+ public:
+  /// Throws UsageError.
+  TraceOutputs(const TraceOptions& asked, OutputPlan& plan);
+
+  /// Opens the files.
+  void open();
+  /// Takes what happens in `processor`, whose simulation has not started, and which outlives this.
+  void begin(hw::Processor& processor);
+  /// Completes the files, of a frame that is over or was broken off after `cycles`.
+  void finish(hw::Cycle cycles);
+
+ private:
+  struct Asked {
+    std::string file;
+    const hw::TraceFormat* format;
+  };
+
+  hw::TraceWindow window_;
+  std::vector<Asked> asked_;
+  std::vector<std::unique_ptr<RevisableOutput>> outputs_;
+  std::vector<std::unique_ptr<hw::Trace>> traces_;
+};
+
+}  // namespace pyrasim::cli

@@ -1,0 +1,316 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Traces of all formats, read by readers of their own, say the same as the statistics; their windows; and what is left of
+runs that were broken off."""
+
+import collections
+import json
+import signal
+import struct
+import subprocess
+import time
+
+import tool
+from tool import MACHINES, SCENES, USAGE
+
+STATES = ("busy", "starved", "blocked")
+FRAMES = ([SCENES / "keel.json", "--size", "32x24"],
+          [SCENES / "shadows.json", "--size", "24x18", "--machine", MACHINES / "wide.json"],
+          [SCENES / "buoys.json", "--size", "16x12", "--max-level", "1", "--machine", MACHINES / "small.json"])
+
+
+class Timeline:
+    """Slices (unit, state, begin, end, ray) and fills of FIFOs (cycle, tokens), by name."""
+
+    def __init__(self):
+        self.slices, self.fills = [], collections.defaultdict(list)
+
+    def cycles(self):
+        """By unit and state."""
+        sums = collections.Counter()
+        for name, state, begin, end, _ in self.slices:
+            sums[name, state] += end - begin
+        return sums
+
+    def rays(self):
+        return {ray for *_, ray in self.slices if ray is not None}
+
+    def window(self, first, last):
+        """The slices cut to a window."""
+        return sorted((name, state, max(begin, first), min(end, last), -1 if ray is None else ray)
+                      for name, state, begin, end, ray in self.slices if begin < last and end > first)
+
+    def all(self):
+        return self.window(0, float("inf"))
+
+
+def fields(data):
+    """Number and value of each field of a message of Protocol Buffers; of one that is cut short, those that are whole."""
+    at = 0
+
+    def varint():
+        nonlocal at
+        value = shift = 0
+        while True:
+            byte = data[at]
+            value |= (byte & 0x7F) << shift
+            at, shift = at + 1, shift + 7
+            if byte < 0x80:
+                return value
+
+    while at < len(data):
+        try:
+            key, value = varint(), None
+            if key & 7 == 0:
+                value = varint()
+            elif key & 7 == 1:
+                value = struct.unpack_from("<Q", data, at)[0]
+                at += 8
+            else:
+                assert key & 7 == 2
+                size = varint()
+                value = data[at:at + size]
+                at += size
+        except (IndexError, struct.error):
+            return
+        if at > len(data):
+            return
+        yield key >> 3, value
+
+
+def read_perfetto(data):
+    """By perfetto/protos/perfetto/trace: packets with descriptors of tracks, names, and events."""
+    timeline, tracks, counters, names, notes, open_slices = Timeline(), {}, set(), {}, {}, {}
+    for _, packet in fields(data):
+        packet = dict(fields(packet))
+        assert packet[10] == 1
+        if 12 in packet:  # interned data
+            assert packet[13] == 1
+            for kind, entry in fields(packet[12]):
+                entry = dict(fields(entry))
+                (names if kind == 2 else notes)[entry[1]] = entry[2].decode()
+        if 60 in packet:  # a track
+            track = dict(fields(packet[60]))
+            if 3 not in track:
+                assert track[5] == 1
+                tracks[track[1]] = track[2].decode()
+                if 8 in track:
+                    counters.add(track[1])
+        if 11 in packet:
+            event = collections.defaultdict(list)
+            for number, value in fields(packet[11]):
+                event[number].append(value)
+            track, at = event[11][0], packet[8]
+            if event[9] == [4]:
+                assert track in counters
+                timeline.fills[tracks[track]].append((at, event[30][0]))
+            elif event[9] == [1]:
+                annotations = {notes[note[1]]: note[3] for note in map(dict, map(fields, event[4]))}
+                ray = annotations.get("ray")
+                assert event[47] == ([] if ray is None else [ray + 1]) and track not in open_slices
+                open_slices[track] = (names[event[10][0]], at, ray)
+            else:
+                assert event[9] == [2]
+                state, begin, ray = open_slices.pop(track)
+                timeline.slices.append((tracks[track], state, begin, at, ray))
+    return timeline
+
+
+def read_chrome(data):
+    """By the Trace Event Format: complete events, counters, and names of threads."""
+    text = data.decode().rstrip()
+    timeline, threads = Timeline(), {}
+    if not text.endswith("]"):  # it was killed, perhaps within a record
+        text = text[:text.rindex(",\n")] + "]"
+    for event in json.loads(text):
+        if event["ph"] == "M" and event["name"] == "thread_name":
+            threads[event["tid"]] = event["args"]["name"]
+        elif event["ph"] == "X":
+            timeline.slices.append((threads[event["tid"]], event["name"], event["ts"], event["ts"] + event["dur"],
+                                    event.get("args", {}).get("ray")))
+        elif event["ph"] == "C":
+            timeline.fills[event["name"]].append((event["ts"], event["args"]["tokens"]))
+    return timeline
+
+
+class Kanata:
+    """By the description of the log format of Konata. `rows`: ray to the list of (stage, begin, end)."""
+
+    def __init__(self, text):
+        lines = text.splitlines()
+        assert lines[0] == "Kanata\t0004" and lines[1].startswith("C=\t")
+        self.rows, self.labels, self.flushed = {}, {}, 0
+        now, inside, retired = int(lines[1].split("\t")[1]), {}, set()
+        for line in lines[2:]:
+            command, *words = line.split("\t")
+            if command == "C":
+                assert int(words[0]) > 0
+                now += int(words[0])
+            elif command == "I":
+                row, ray, thread = map(int, words)
+                assert row == len(self.rows) and thread == 0
+                self.rows[row] = []
+            elif command == "L":
+                self.labels[int(words[0])] = words[2]
+            elif command == "S":
+                row, lane, stage = int(words[0]), *words[1:]
+                assert lane == "0" and row not in inside and row not in retired
+                inside[row] = (stage, now)
+            elif command == "E":
+                row, lane, stage = int(words[0]), *words[1:]
+                its, begin = inside.pop(row)
+                assert its == stage
+                self.rows[row].append((stage, begin, now))
+            else:
+                assert command == "R", line
+                row, number, flush = map(int, words)
+                assert row not in inside and number == len(retired)
+                retired.add(row)
+                self.flushed += flush
+        assert retired == set(self.rows)
+
+
+READERS = {"pftrace": read_perfetto, "json": read_chrome}
+
+
+class Traces(tool.EndToEnd):
+    def traced(self, *arguments, formats=("pftrace", "json", "kanata"), **names):
+        traces = [word for ending in formats for word in ("--trace", f"x.{ending}")]
+        document = self.stats("simulate", *arguments, *traces)
+        return document, {ending: (self.folder / f"x.{ending}").read_bytes() for ending in formats}
+
+    def test_sums_are_those_of_the_statistics(self):
+        for frame in FRAMES:
+            document, traces = self.traced(*frame)
+            for ending, read in READERS.items():
+                timeline = read(traces[ending])
+                self.assertEqual({name for name, *_ in timeline.slices}, {unit["name"] for unit in document["units"]})
+                cycles = timeline.cycles()
+                for unit in document["units"]:
+                    for state in STATES:
+                        self.assertEqual(cycles[unit["name"], state], unit[state], (ending, unit["name"], state))
+                for fifo in document["fifos"]:
+                    fills = [tokens for _, tokens in timeline.fills[fifo["name"]]]
+                    self.assertEqual(max(fills, default=0), fifo["max"] if fills else 0, (ending, fifo["name"]))
+                self.assertEqual(timeline.rays(), set(range(document["rays"]["total"])))
+            kanata = Kanata(traces["kanata"].decode())
+            self.assertEqual(len(kanata.rows), document["rays"]["total"])
+            self.assertEqual(kanata.flushed, 0)
+            requests = {label for label in kanata.labels.values() if "request" in label}
+            self.assertEqual(len(requests), document["rays"]["subdivision"])
+
+    def test_a_rays_life_has_no_gaps(self):
+        """Each row goes on where its last stage ended; a ray's units are those that the timeline shows."""
+        for frame in FRAMES:
+            _, traces = self.traced(*frame)
+            kanata, timeline = Kanata(traces["kanata"].decode()), read_perfetto(traces["pftrace"])
+            units = collections.defaultdict(list)
+            for name, state, begin, _, ray in timeline.slices:
+                if ray is not None and state == "busy":
+                    units[ray].append((begin, name))
+            for row, stages in kanata.rows.items():
+                ray = int(kanata.labels[row].split()[1])
+                for (_, _, end), (_, begin, _) in zip(stages, stages[1:]):
+                    self.assertEqual(end, begin)
+                self.assertTrue(all(begin < end for stage, begin, end in stages if "_to_" not in stage), stages)
+                served = [(begin, stage) for stage, begin, _ in stages if "_to_" not in stage]
+                self.assertEqual(served, sorted(units[ray])[:len(served)])
+
+    def test_engines_write_the_same(self):
+        for frame in FRAMES[:2]:
+            bytes_of = [self.traced(*frame, "--engine", engine)[1] for engine in ("decoupled", "lockstep")]
+            self.assertEqual(*bytes_of)
+
+    def test_windows(self):
+        frame, first, last = FRAMES[0], 1000, 2500
+        whole = read_chrome(self.traced(*frame)[1]["json"])
+        _, traces = self.traced(*frame, "--trace-from", first, "--trace-to", last)
+        for ending, read in READERS.items():
+            part = read(traces[ending])
+            self.assertEqual(part.all(), whole.window(first, last))
+            for name, fills in whole.fills.items():
+                self.assertEqual(part.fills[name], [fill for fill in fills if first <= fill[0] < last], name)
+        for stages in Kanata(traces["kanata"].decode()).rows.values():
+            self.assertTrue(first <= stages[0][1] < last)
+        document, traces = self.traced(*frame, "--trace-unit", "inter*unit*", "--trace-unit", "color_unit")
+        shown = {unit["name"] for unit in document["units"] if unit["name"].startswith("inter")} | {"color_unit"}
+        for ending, read in READERS.items():
+            self.assertEqual({name for name, *_ in read(traces[ending]).slices}, shown)
+
+    def test_windows_of_vcd(self):
+        """What is shown of the window is what the whole trace shows there."""
+        from_to = ["--trace-from", "1000", "--trace-to", "2500"]
+        self.ok("simulate", *FRAMES[0], "--trace", "whole.vcd")
+        self.ok("simulate", *FRAMES[0], "--trace", "part.vcd", *from_to, "--trace-unit", "[!s]*")
+
+        def changes(name):
+            header, body = (self.folder / name).read_text().split("$enddefinitions $end\n")
+            codes = {words[3]: words[4] for words in map(str.split, header.splitlines()) if words[:1] == ["$var"]}
+            values, now = collections.defaultdict(dict), 0
+            for line in body.splitlines():
+                if line.startswith("#"):
+                    now = int(line[1:]) // 5  # of 200 MHz, in ns
+                elif line.startswith("b"):
+                    bits, code = line[1:].split()
+                    values[codes[code]][now] = int(bits, 2)
+            return values, now
+
+        def values(changes):
+            """In each cycle of the window."""
+            now = changes[max(date for date in changes if date <= 1000)]
+            return [now := changes.get(at, now) for at in range(1000, 2500)]
+
+        (whole, _), (part, end) = changes("whole.vcd"), changes("part.vcd")
+        self.assertEqual(end, 2500)
+        self.assertEqual(set(part), {name for name in whole if not name.startswith("s")})
+        for name, its in part.items():
+            self.assertEqual(min(its), 1000)
+            self.assertEqual(values(its), values(whole[name]), name)
+
+    def broken_off(self, number):
+        """A run that a signal ends; its traces by ending."""
+        traces = [word for ending in ("vcd", "pftrace", "json", "kanata") for word in ("--trace", f"x.{ending}")]
+        with subprocess.Popen([tool.PYRASIM, "simulate", SCENES / "keel.json", "--size", "2000x1500", *traces],
+                              cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            file = self.folder / "x.json"
+            for _ in range(12_000):
+                if file.exists() and file.stat().st_size > 1_000_000:
+                    break
+                time.sleep(0.01)
+            process.send_signal(number)
+            process.communicate(timeout=120)
+        return process.returncode
+
+    def test_interrupted(self):
+        self.assertEqual(self.broken_off(signal.SIGINT), 128 + signal.SIGINT)
+        for ending, read in READERS.items():
+            self.assertGreater(len(read((self.folder / f"x.{ending}").read_bytes()).slices), 1000)
+        kanata = Kanata((self.folder / "x.kanata").read_text())
+        self.assertGreater(len(kanata.rows), 1000)
+        self.assertTrue((self.folder / "x.vcd").read_text().endswith("\n"))
+
+    def test_killed(self):
+        self.assertEqual(self.broken_off(signal.SIGKILL), -signal.SIGKILL)
+        self.assertFalse((self.folder / "x.vcd").exists())
+        for ending, read in READERS.items():
+            self.assertGreater(len(read((self.folder / f"x.{ending}").read_bytes()).slices), 1000)
+        self.assertEqual((self.folder / "x.kanata").read_text().count("Kanata"), 1)
+
+    def test_a_limit_leaves_the_traces(self):
+        run = self.run_tool("simulate", *FRAMES[0], "--max-cycles", "3000", "--trace", "x.json", "--trace", "x.pftrace")
+        self.assertEqual(run.returncode, tool.LIMIT)
+        for ending, read in READERS.items():
+            slices = read((self.folder / f"x.{ending}").read_bytes()).slices
+            self.assertGreater(max(end for _, _, _, end, _ in slices), 2000)
+
+    def test_mistakes(self):
+        def refused(*arguments, says):
+            self.refused(USAGE, "simulate", SCENES / "keel.json", *arguments, says=says)
+
+        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .pftrace, .json, .kanata, or be -")
+        refused("--trace", "x.vcd", "--trace", "x.vcd", says="are one file or stream")
+        refused("--trace", "x.json", "--stats", "x.json", says="are one file or stream")
+        refused("--trace", "x.vcd", "--trace-from", "9", "--trace-to", "9", says="no cycle lies between them")
+        refused("--trace", "x.vcd", "--trace-from", "-1", says="--trace-from")
+
+
+tool.main()
