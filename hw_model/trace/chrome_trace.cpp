@@ -3,16 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <string>
 
 #include "version.h"
 
 namespace pyrasim::hw {
-namespace {
-
-constexpr std::array<std::string_view, 4> state_names{"idle", "busy", "starved", "blocked"};
-
-}  // namespace
 
 ChromeTrace::ChromeTrace(const Processor& processor, OutputFile& output) : processor_(processor), output_(output) {
   output_.write(fmt::format(
@@ -29,16 +24,16 @@ ChromeTrace::ChromeTrace(const Processor& processor, OutputFile& output) : proce
 }
 
 void ChromeTrace::span(const Span& span) {
-  output_.write(
-      fmt::format(",\n"
-                  R"({{"ph":"X","pid":1,"tid":{},"ts":{},"dur":{},"name":"{}")",
-                  span.unit + 1, span.begin, span.end - span.begin, state_names[static_cast<std::size_t>(span.state)]));
+  std::string record = fmt::format(
+      ",\n"
+      R"({{"ph":"X","pid":1,"tid":{},"ts":{},"dur":{},"name":"{}")",
+      span.unit + 1, span.begin, span.end - span.begin, state_names[static_cast<std::size_t>(span.state)]);
   if (span.ray != no_number) {
-    output_.write(fmt::format(R"(,"args":{{"ray":{})", span.ray));
-    if (span.parent != no_number) output_.write(fmt::format(R"(,"request":{})", span.parent));
-    output_.write("}");
+    record += fmt::format(R"(,"args":{{"ray":{})", span.ray);
+    if (span.parent != no_number) record += fmt::format(R"(,"request":{})", span.parent);
+    record += '}';
   }
-  output_.write("}");
+  output_.write(record += '}');  // in one piece: whatever ends the run, no part of a record is left
 }
 
 void ChromeTrace::fill(std::size_t fifo, Cycle at, std::size_t tokens) {

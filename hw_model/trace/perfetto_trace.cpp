@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "version.h"
 
 namespace pyrasim::hw {
@@ -45,26 +43,21 @@ constexpr std::uint64_t only_sequence = 1;
 constexpr std::uint64_t machine_track = 1;
 constexpr std::uint64_t ray_annotation = 1, parent_annotation = 2;
 
-constexpr std::array<std::string_view, 4> state_names{"idle", "busy", "starved", "blocked"};
-
 std::uint64_t track_of_unit(std::size_t unit) { return machine_track + 1 + unit; }
 
 }  // namespace
 
 PerfettoTrace::PerfettoTrace(const Processor& processor, OutputFile& output) : processor_(processor), output_(output) {
-  Protobuf names, entry;
-  for (std::size_t k = 0; k < state_names.size(); ++k) {
-    entry.clear();
-    entry.number(interned::number, k + 1);
-    entry.text(interned::text, state_names[k]);
-    names.message(interned::event_names, entry);
-  }
-  for (const auto& [number, name] : {std::pair(ray_annotation, "ray"), {parent_annotation, "request"}}) {
-    entry.clear();
+  Protobuf names;
+  const auto intern = [&names](unsigned kind, std::uint64_t number, std::string_view name) {
+    Protobuf entry;
     entry.number(interned::number, number);
     entry.text(interned::text, name);
-    names.message(interned::annotation_names, entry);
-  }
+    names.message(kind, entry);
+  };
+  for (std::size_t k = 0; k < state_names.size(); ++k) intern(interned::event_names, k + 1, state_names[k]);
+  intern(interned::annotation_names, ray_annotation, "ray");
+  intern(interned::annotation_names, parent_annotation, "request");
   packet_.number(packet::sequence, only_sequence);
   packet_.number(packet::sequence_flags, state_cleared);
   packet_.message(packet::interned_data, names);
@@ -77,9 +70,7 @@ PerfettoTrace::PerfettoTrace(const Processor& processor, OutputFile& output) : p
   machine.number(descriptor::uuid, machine_track);
   machine.message(descriptor::process, its);
   machine.number(descriptor::child_ordering, explicit_order);
-  packet_.number(packet::sequence, only_sequence);
-  packet_.message(packet::track_descriptor, machine);
-  write_packet();
+  write_descriptor(machine);
   for (std::size_t k = 0; k < processor.stages().size(); ++k) {
     write_track(track_of_unit(k), processor.stages()[k]->basename(), false);
   }
@@ -104,8 +95,12 @@ void PerfettoTrace::write_track(std::uint64_t track, std::string_view name, bool
     unit.number(counter::unit, count);
     of.message(descriptor::counter, unit);
   }
+  write_descriptor(of);
+}
+
+void PerfettoTrace::write_descriptor(const Protobuf& track) {
   packet_.number(packet::sequence, only_sequence);
-  packet_.message(packet::track_descriptor, of);
+  packet_.message(packet::track_descriptor, track);
   write_packet();
 }
 

@@ -25,6 +25,7 @@ class PerfettoTrace final : public TraceWriter {
  private:
   std::uint64_t track_of_fifo(std::size_t fifo) const;
   void write_track(std::uint64_t track, std::string_view name, bool counter);
+  void write_descriptor(const Protobuf& track);
   void begin_event(std::uint64_t type, std::uint64_t track);
   void write_event(Cycle at);
   void write_packet();

@@ -6,7 +6,7 @@
 namespace pyrasim::hw {
 
 Timeline::Timeline(Processor& processor, const TraceWindow& window, TraceWriter& writer)
-    : processor_(processor), window_(window), writer_(writer) {
+    : window_(window), writer_(writer) {
   for (const Stage* stage : processor.stages()) units_.push_back({window.shows(stage->basename())});
   for (const FifoBase* fifo : processor.fifos()) fifos_.push_back({window.shows(fifo->basename()), fifo->size()});
   processor.attach(*this);
@@ -49,12 +49,8 @@ void Timeline::lose_before(std::size_t fifo, Cycle date) {
   }
 }
 
-/// What a FIFO holds when the window begins is said there.
 void Timeline::change(std::size_t fifo, Cycle at) {
-  Fill& its = fifos_[fifo];
-  if (at < window_.from || at >= window_.to) return;
-  its.written = its.tokens;
-  writer_.fill(fifo, at, its.tokens);
+  if (at >= window_.from && at < window_.to) writer_.fill(fifo, at, fifos_[fifo].tokens);
 }
 
 void Timeline::finish(Cycle cycles) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "hw_model/processor.h"
@@ -36,9 +35,6 @@ class Timeline final : public EventSink {
     std::size_t tokens = 0;
     std::array<Cycle, 2> losses{never,
                                 never};  ///< dates, the earlier one first: at most one of a cycle and of the next
-    std::optional<std::size_t> written;  ///< that the writer knows
-
-    void read(Cycle at);
   };
 
   void show(Span span);
@@ -46,7 +42,6 @@ class Timeline final : public EventSink {
   /// Takes the losses before `date` into account.
   void lose_before(std::size_t fifo, Cycle date);
 
-  const Processor& processor_;
   TraceWindow window_;
   TraceWriter& writer_;
   std::vector<Unit> units_;

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "hw_model/cycle.h"
 #include "hw_model/stage/stage_state.h"
 #include "hw_model/trace/event.h"
 
 namespace pyrasim::hw {
+
+/// By StageState.
+inline constexpr std::array<std::string_view, 4> state_names{"idle", "busy", "starved", "blocked"};
 
 /// A stretch of a unit's time, [begin, end) in cycles, in which it is in one state.
 struct Span {
