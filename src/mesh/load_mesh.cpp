@@ -71,7 +71,7 @@ class MeshBuilder {
     const auto& vertices = mesh_.vertices;
     if (is_degenerate(vertices[a.vertex], vertices[b.vertex], vertices[c.vertex])) return;
     mesh_.triangles.push_back({a.vertex, b.vertex, c.vertex});
-    loaded_.marks.push_back({face.group, face.material, face.line});
+    loaded_.marks.push_back({face.group, face.material});
     add_values(mesh_.places, {a.place, b.place, c.place});
     add_values(mesh_.normals, {a.normal, b.normal, c.normal});
   }
@@ -103,22 +103,28 @@ class MeshBuilder {
   std::size_t first_crossing_ = 0;  ///< its line in the file
 };
 
+/// Once for all objects of the file.
+void count_names(LoadedMesh& loaded) {
+  std::set<std::uint32_t> groups, materials;
+  for (const TriangleMark& mark : loaded.marks) {
+    groups.insert(mark.group);
+    if (mark.material != no_value) materials.insert(mark.material);
+  }
+  loaded.groups_met = groups.size();
+  loaded.materials_met = materials.size();
+}
+
 }  // namespace
 
 std::vector<std::string> LoadedMesh::unused(const std::string& file, bool materials_used, bool groups_used) const {
-  std::set<std::uint32_t> groups_met, materials_met;
-  for (const TriangleMark& mark : marks) {
-    groups_met.insert(mark.group);
-    if (mark.material != no_value) materials_met.insert(mark.material);
-  }
   std::vector<std::string> result;
-  if (!materials_met.empty() && !materials_used) {
-    result.push_back(fmt::format("{}: materials are not used ({}), since the object has a color or a texture", file,
-                                 materials_met.size()));
-  }
-  if (groups_met.size() > 1 && !materials_used && !groups_used) {
+  if (materials_met > 0 && !materials_used) {
     result.push_back(
-        fmt::format(R"({}: groups are one object ({}); with "split": "groups" each is one)", file, groups_met.size()));
+        fmt::format("{}: materials are not used ({}), since the object has a color or a texture", file, materials_met));
+  }
+  if (groups_met > 1 && !materials_used && !groups_used) {
+    result.push_back(
+        fmt::format(R"({}: groups are one object ({}); with "split": "groups" each is one)", file, groups_met));
   }
   return result;
 }
@@ -146,6 +152,7 @@ LoadedMesh read_mesh(std::string_view text, const std::string& name) {
   if (loaded.mesh.triangles.empty()) {
     throw InputError(name + ": all its faces are degenerate; at least one with an area is needed");
   }
+  count_names(loaded);
   loaded.groups = std::move(obj.groups);
   loaded.materials = std::move(obj.materials);
   loaded.libraries = std::move(obj.libraries);

@@ -17,13 +17,13 @@ namespace pyrasim {
 struct TriangleMark {
   std::uint32_t group;     ///< among the file's groups
   std::uint32_t material;  ///< among its materials, or no_value
-  std::size_t line;        ///< of its face
 };
 
 struct LoadedMesh {
   TriangleMesh mesh;
   std::vector<TriangleMark> marks;  ///< by triangle
   std::vector<ObjFile::Name> groups, materials, libraries;
+  std::size_t groups_met = 0, materials_met = 0;  ///< that triangles have
   std::vector<std::string> warnings;  ///< "FILE: what is lost; what is left": faces without area, polygons that cross
                                       ///< themselves, what is not read of the file
 
