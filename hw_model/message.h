@@ -6,12 +6,11 @@
 #include <glm/vec3.hpp>
 
 #include "hw_model/cycle.h"
+#include "hw_model/trace/subject.h"
 #include "pyramid/classifier.h"
 #include "pyramid/terminal_color.h"
 
 namespace pyrasim::hw {
-
-inline constexpr std::uint32_t no_pixel = 0xFFFFFFFFU;
 
 /// A pixel in flight.
 struct PixelTag {
@@ -85,5 +84,11 @@ struct PixelMessage {
   std::uint32_t pixel;
   glm::vec3 color;
 };
+
+inline Subject subject_of(const Cell& cell) { return {.point = cell.corner, .log2_side = cell.log2_side}; }
+inline Subject subject_of(const CornerRequest& corner) { return {.point = corner.point, .pixel = corner.tag.pixel}; }
+inline Subject subject_of(const SubdivisionRequest& request) { return subject_of(request.cell); }
+inline Subject subject_of(const NodeMessage& node) { return subject_of(node.cell); }
+inline Subject subject_of(const TerminalMessage& node) { return subject_of(node.cell); }
 
 }  // namespace pyrasim::hw

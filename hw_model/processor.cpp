@@ -70,7 +70,7 @@ Processor::Processor(const sc_core::sc_module_name& name, const Scene& scene, co
 void Processor::run_decoupled(int threads) {
   std::optional<CornersAhead> corners;
   if (threads > 1 && !formats_.counts_events()) {
-    corners.emplace(*intersector_, view_vectors_, window_, std::uint32_t{1} << the<PyramidClassifier>().max_level(),
+    corners.emplace(*intersector_, view_vectors_, window_, std::uint32_t{1} << max_level(),
                     all<IntersectionUnit>().size() * spec_.fifos.view_vector_generator_to_intersection_unit);
   }
   for (const auto& unit : all<IntersectionUnit>()) unit->take_corners(corners ? &*corners : nullptr);
@@ -81,7 +81,7 @@ void Processor::attach(EventSink& sink) {
   for (std::size_t k = 0; k < fifos_.size(); ++k) fifos_[k]->report_to({events_, k});
   if (sink.in_order() && !events_.has_sinks_in_order()) {
     for (std::size_t k = 0; k < stages_.size(); ++k) stages_[k]->report_to({events_, k});
-    events_.number_rays({stages_, wires_});
+    events_.follow({stages_, wires_, window_, max_level()});
     if (!engine_) events_.follow_kernel();
   }
   events_.attach(sink);

@@ -64,6 +64,7 @@ class Processor final : public sc_core::sc_module {
   const Wire& wire_of(const FifoBase& fifo) const;
   /// Row and column on the screen of a pixel that is numbered inside the window.
   std::pair<int, int> place_of(std::uint32_t pixel) const;
+  int max_level() const { return the<PyramidClassifier>().max_level(); }
   const TreeAccumulator& tree_accumulator() const { return the<TreeAccumulator>(); }
   const SceneContents& contents() const { return contents_; }
   /// In data-flow order, each box followed by its parts, built or not; cycles are known after the frame.

@@ -121,14 +121,15 @@ class Fifo final : public FifoBase {
   }
   template <class Make>
   void put(const Make& make, Cycle now, Cycle visible) {
+    const Cell* cell = write_;
     fill(write_, make, now, visible);
-    if (events()) events().write(now, visible);
+    if (events()) events().write(now, visible, subject_of(cell->message));
     note_writes(1);
   }
 
   [[gnu::noinline]] void report_writes(std::size_t tokens) const {
     for (const Cell* cell = write_; tokens > 0; --tokens, cell = following(cell)) {
-      events().write(cell->written, cell->visible);
+      events().write(cell->written, cell->visible, subject_of(cell->message));
     }
   }
   [[gnu::noinline]] void report_reads(std::size_t tokens) const {

@@ -41,6 +41,8 @@ class FifoBase : public sc_core::sc_prim_channel, public sc_core::sc_interface {
   void wake_reader_when_full() { wake_reader_at_ = depth_; }
   /// Every write and read from now on is an event.
   void report_to(const EventPort& events) { events_ = events; }
+  /// Its place in Processor::fifos(), where it reports to somebody.
+  std::uint32_t number() const { return events_.source(); }
 
   const char* kind() const override { return "pyrasim::hw::Fifo"; }
 

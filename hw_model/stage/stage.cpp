@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "hw_model/fifo/fifo_base.h"
 #include "hw_model/stage/kernel_time.h"
 #include "hw_model/stage/work_list.h"
 
@@ -27,7 +28,10 @@ void Stage::book(const Start& start, Cycle cycles) {
     book_wait(ready_, start);
     waited = start.cause()->starved ? StageState::starved : StageState::blocked;
   }
-  if (events_) events_.firing(waited, ready_, start.at(), start.at() + cycles);
+  if (events_) {
+    const std::uint32_t cause = start.cause() == nullptr ? no_fifo : start.cause()->fifo.number();
+    events_.firing(waited, cause, ready_, start.at(), start.at() + cycles);
+  }
   book(1, start.at() + cycles);
 }
 

@@ -28,9 +28,9 @@ void ChromeTrace::span(const Span& span) {
       ",\n"
       R"({{"ph":"X","pid":1,"tid":{},"ts":{},"dur":{},"name":"{}")",
       span.unit + 1, span.begin, span.end - span.begin, state_names[static_cast<std::size_t>(span.state)]);
-  if (span.ray != no_number) {
-    record += fmt::format(R"(,"args":{{"ray":{})", span.ray);
-    if (span.parent != no_number) record += fmt::format(R"(,"request":{})", span.parent);
+  if (span.subject.ray != no_number) {
+    record += fmt::format(R"(,"args":{{"ray":{})", span.subject.ray);
+    if (span.subject.request != no_number) record += fmt::format(R"(,"request":{})", span.subject.request);
     record += '}';
   }
   output_.write(record += '}');  // in one piece: whatever ends the run, no part of a record is left

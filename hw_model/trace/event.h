@@ -2,16 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <tuple>
 
 #include "hw_model/cycle.h"
 #include "hw_model/stage/stage_state.h"
+#include "hw_model/trace/subject.h"
 
 namespace pyrasim::hw {
 
-/// What is not numbered.
-inline constexpr std::uint64_t no_number = std::numeric_limits<std::uint64_t>::max();
+inline constexpr std::uint32_t no_fifo = 0xFFFFFFFFU;
 
 /// Something that happened in a machine. A firing is one event, with the wait that it ended: only then is it known what
 /// the stage waited for.
@@ -22,11 +21,12 @@ struct Event {
   Kind kind{};
   StageState waited{};       ///< of a firing: what the stage was from `since` on; idle: it is its first
   std::uint32_t source = 0;  ///< of a firing: its place in Processor::stages(); else the FIFO's in Processor::fifos()
-  Cycle at = 0;              ///< cycle of the read, of the firing's start, of the write
-  Cycle since = 0;           ///< of a firing: the end of the busy time before it; equal to `at` where it did not wait
-  Cycle until = 0;           ///< of a firing: the end of its own busy time; of a write: when the token can be read
-  std::uint64_t ray = no_number;     ///< by order of issue from 0, where the event is about a ray; see RayNumbers
-  std::uint64_t parent = no_number;  ///< the request that asked for the ray, by order of issue from 0; none: a corner
+  std::uint32_t cause = no_fifo;  ///< of a firing: the FIFO, in Processor::fifos(), whose token or room came last;
+                                  ///< none: the stage's own readiness did
+  Cycle at = 0;                   ///< cycle of the read, of the firing's start, of the write
+  Cycle since = 0;    ///< of a firing: the end of the busy time before it; equal to `at` where it did not wait
+  Cycle until = 0;    ///< of a firing: the end of its own busy time; of a write: when the token can be read
+  Subject subject{};  ///< see Subjects; in the end, of all that is about one
 
   /// Strict for the events of a machine: no stage fires twice in a cycle, and no FIFO is written or read twice.
   friend bool operator<(const Event& a, const Event& b) {

@@ -16,12 +16,20 @@ class EventPort {
 
   explicit operator bool() const { return stream_ != nullptr; }
   void read(Cycle at) const { stream_->put({.kind = Event::Kind::read, .source = source_, .at = at}); }
-  void write(Cycle at, Cycle visible) const {
-    stream_->put({.kind = Event::Kind::write, .source = source_, .at = at, .until = visible});
+  void write(Cycle at, Cycle visible, const Subject& subject) const {
+    stream_->put({.kind = Event::Kind::write, .source = source_, .at = at, .until = visible, .subject = subject});
   }
-  void firing(StageState waited, Cycle since, Cycle at, Cycle until) const {
-    stream_->put({Event::Kind::firing, waited, source_, at, since, until});
+  void firing(StageState waited, std::uint32_t cause, Cycle since, Cycle at, Cycle until) const {
+    stream_->put({.kind = Event::Kind::firing,
+                  .waited = waited,
+                  .source = source_,
+                  .cause = cause,
+                  .at = at,
+                  .since = since,
+                  .until = until});
   }
+  /// The place of the stage or FIFO.
+  std::uint32_t source() const { return source_; }
 
  private:
   EventStream* stream_ = nullptr;

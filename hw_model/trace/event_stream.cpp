@@ -11,7 +11,7 @@ void EventStream::release(Cycle watermark) {
       std::partition(held_.begin(), held_.end(), [&](const Event& event) { return event.at < watermark; });
   std::sort(held_.begin(), early);
   for (auto event = held_.begin(); event != early; ++event) {
-    numbers_.number(*event);
+    subjects_.tell(*event, {event + 1, early});
     for (EventSink* sink : sinks_) sink->take(*event);
   }
   held_.erase(held_.begin(), early);

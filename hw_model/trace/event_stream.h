@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hw_model/trace/event.h"
-#include "hw_model/trace/ray_numbers.h"
+#include "hw_model/trace/subjects.h"
 
 namespace pyrasim::hw {
 
@@ -19,7 +19,8 @@ class EventStream {
  public:
   void attach(EventSink& sink) { (sink.in_order() ? sinks_ : early_sinks_).push_back(&sink); }
   bool has_sinks_in_order() const { return !sinks_.empty(); }
-  void number_rays(RayNumbers numbers) { numbers_ = std::move(numbers); }
+  /// Who tells what events are about.
+  void follow(Subjects subjects) { subjects_ = std::move(subjects); }
 
   /// An event of a stage or FIFO whose earlier ones have been put in.
   void put(const Event& event) {
@@ -51,7 +52,7 @@ class EventStream {
   std::vector<Event> held_;              ///< in the order in which they came
   std::size_t due_at_ = least_due;
   std::size_t peak_ = 0;
-  RayNumbers numbers_;
+  Subjects subjects_;
   bool follows_kernel_ = false;
   sc_core::sc_event cycle_over_;
 };

@@ -32,28 +32,29 @@ KanataTrace::KanataTrace(Processor& processor, const TraceWindow& window, Output
 
 void KanataTrace::take(const Event& event) {
   write_before(event.at);
-  if (event.ray == no_number) return;
+  if (event.subject.ray == no_number) return;
   if (event.kind == Event::Kind::firing) {
     take_firing(event);
   } else if (readers_[event.source] == nowhere) {
     return;
   } else if (event.kind == Event::Kind::write) {
-    go(event.ray, event.until, processor_.stages().size() + event.source);
+    go(event.subject.ray, event.until, processor_.stages().size() + event.source);
   } else {
-    go(event.ray, event.at, readers_[event.source]);
+    go(event.subject.ray, event.at, readers_[event.source]);
   }
 }
 
 /// A row begins where the generator fires, and ends with the firing of the classifier that takes its sample.
 void KanataTrace::take_firing(const Event& event) {
-  if (event.source == classifier_) go(event.ray, event.until, nowhere);
+  if (event.source == classifier_) go(event.subject.ray, event.until, nowhere);
   if (event.source != generator_ || event.at < window_.from || event.at >= window_.to) return;
   const std::uint64_t row = rows_begun_++;
   write_date(event.at);
-  output_.write(fmt::format("I\t{0}\t{1}\t0\nL\t{0}\t0\tray {1}{2}\n", row, event.ray,
-                            event.parent == no_number ? "" : fmt::format(" of request {}", event.parent)));
-  rows_.emplace(event.ray, Row{row, nowhere});
-  write({event.at, 0, event.ray, generator_});
+  output_.write(
+      fmt::format("I\t{0}\t{1}\t0\nL\t{0}\t0\tray {1}{2}\n", row, event.subject.ray,
+                  event.subject.request == no_number ? "" : fmt::format(" of request {}", event.subject.request)));
+  rows_.emplace(event.subject.ray, Row{row, nowhere});
+  write({event.at, 0, event.subject.ray, generator_});
 }
 
 void KanataTrace::go(std::uint64_t ray, Cycle at, std::size_t place) {

@@ -128,7 +128,7 @@ void PerfettoTrace::write_packet() {
 void PerfettoTrace::span(const Span& span) {
   begin_event(slice_begin, track_of_unit(span.unit));
   event_.number(event::name_number, static_cast<std::uint64_t>(span.state) + 1);
-  if (span.ray != no_number) {
+  if (span.subject.ray != no_number) {
     Protobuf annotation;
     const auto annotate = [&](std::uint64_t name, std::uint64_t value) {
       annotation.clear();
@@ -136,9 +136,9 @@ void PerfettoTrace::span(const Span& span) {
       annotation.number(annotation::number, value);
       event_.message(event::annotation, annotation);
     };
-    annotate(ray_annotation, span.ray);
-    if (span.parent != no_number) annotate(parent_annotation, span.parent);
-    event_.fixed(event::flow, span.ray + 1);
+    annotate(ray_annotation, span.subject.ray);
+    if (span.subject.request != no_number) annotate(parent_annotation, span.subject.request);
+    event_.fixed(event::flow, span.subject.ray + 1);
   }
   write_event(span.begin);
   begin_event(slice_end, track_of_unit(span.unit));

@@ -23,8 +23,8 @@ void Timeline::take(const Event& event) {
     Unit& unit = units_[event.source];
     unit.until = event.until;
     if (!unit.shown || !window_.overlaps(event.since, event.until)) return;
-    show({event.source, event.waited, event.since, event.at});
-    show({event.source, StageState::busy, event.at, event.until, event.ray, event.parent});
+    show({event.source, event.waited, event.since, event.at, {}});
+    show({event.source, StageState::busy, event.at, event.until, event.subject});
     return;
   }
   Fill& fifo = fifos_[event.source];
@@ -55,7 +55,7 @@ void Timeline::change(std::size_t fifo, Cycle at) {
 
 void Timeline::finish(Cycle cycles) {
   for (std::size_t k = 0; k < units_.size(); ++k) {
-    if (units_[k].shown) show({k, StageState::idle, units_[k].until, cycles});
+    if (units_[k].shown) show({k, StageState::idle, units_[k].until, cycles, {}});
   }
   for (std::size_t k = 0; k < fifos_.size(); ++k) {
     if (fifos_[k].shown) lose_before(k, never);

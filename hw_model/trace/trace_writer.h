@@ -21,8 +21,7 @@ struct Span {
   StageState state;
   Cycle begin;
   Cycle end;
-  std::uint64_t ray = no_number;     ///< that it works on, where that is known
-  std::uint64_t parent = no_number;  ///< the request that asked for the ray; none: a corner
+  Subject subject;  ///< that it works on
 };
 
 /// Writes what Timeline makes of a machine's events in one format. Of each unit spans ascend and do not overlap; of

@@ -140,7 +140,8 @@ void expect_accounted(const Processor& machine) {
   EXPECT_EQ(of_boxes, of_stages);
   const FrameStatistics counts = machine.statistics();
   for (const MachinePart& part : machine.parts()) {
-    if (part.name() == "color_unit.texture") EXPECT_EQ(part.busy, cost_of(counts.texture, machine.spec().texture_cost));
+    if (part.name() != "color_unit.texture") continue;
+    EXPECT_EQ(part.busy, cost_of(counts.texture, machine.spec().texture_cost));
   }
   EXPECT_EQ(of_unit, of_its_parts + machine.spec().intersection_cost.ray * counts.total_rays());
   if (counts.lights_with_shadows == 0) return;

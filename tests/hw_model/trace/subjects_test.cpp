@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hw_model/trace/ray_numbers.h"
+#include "hw_model/trace/subjects.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,8 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
+#include <tuple>
 
 #include "../../test_scenes.h"
 #include "../event_list.h"
@@ -39,7 +41,7 @@ std::vector<Event> at_units(const EventList& list, Kind kind, bool to_units) {
 
 std::vector<std::uint64_t> rays_of(const std::vector<Event>& events) {
   std::vector<std::uint64_t> rays;
-  for (const Event& event : events) rays.push_back(event.ray);
+  for (const Event& event : events) rays.push_back(event.subject.ray);
   return rays;
 }
 
@@ -121,7 +123,7 @@ TEST_F(Rays, HaveTheirRequestAsParent) {
   for (const EventList& list : lists_) {
     const FrameStatistics statistics = list.machine().statistics();
     std::map<std::uint64_t, std::vector<Event>> children;
-    for (const Event& ray : at_units(list, Kind::write, true)) children[ray.parent].push_back(ray);
+    for (const Event& ray : at_units(list, Kind::write, true)) children[ray.subject.request].push_back(ray);
     EXPECT_EQ(children[no_number].size(), statistics.primary_rays());
     EXPECT_EQ(children.size() - 1, statistics.subdivisions);
     for (const char* fifo : {requests, nodes}) {
@@ -130,11 +132,11 @@ TEST_F(Rays, HaveTheirRequestAsParent) {
       ASSERT_EQ(written.size(), statistics.subdivisions);
       ASSERT_EQ(read.size(), statistics.subdivisions);
       for (std::uint64_t k = 0; k < read.size(); ++k) {
-        EXPECT_EQ(written[k].parent, k);
-        EXPECT_EQ(read[k].parent, k);
+        EXPECT_EQ(written[k].subject.request, k);
+        EXPECT_EQ(read[k].subject.request, k);
         const std::vector<Event>& rays = children[k];
         ASSERT_EQ(rays.size(), subdivision_rays);
-        EXPECT_EQ(rays.back().ray, rays.front().ray + subdivision_rays - 1);
+        EXPECT_EQ(rays.back().subject.ray, rays.front().subject.ray + subdivision_rays - 1);
         if (fifo == requests) {
           EXPECT_EQ(read[k].at, rays.front().at);
         }
@@ -147,8 +149,81 @@ TEST_F(Rays, HaveTheirRequestAsParent) {
 TEST_F(Rays, MeetTheirNodeAtTheClassifier) {
   for (const EventList& list : lists_) {
     std::map<Cycle, std::uint64_t> parents;
-    for (const Event& sample : at_units(list, Kind::read, false)) parents[sample.at] = sample.parent;
-    for (const Event& node : list.of(Kind::read, nodes)) EXPECT_EQ(parents.at(node.at), node.parent);
+    for (const Event& sample : at_units(list, Kind::read, false)) parents[sample.at] = sample.subject.request;
+    for (const Event& node : list.of(Kind::read, nodes)) EXPECT_EQ(parents.at(node.at), node.subject.request);
+  }
+}
+
+std::vector<Subject> subjects_of(const std::vector<Event>& events) {
+  std::vector<Subject> subjects;
+  for (const Event& event : events) subjects.push_back(event.subject);
+  return subjects;
+}
+
+std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> address_of(const Cell& cell) {
+  return {cell.corner.row, cell.corner.column, cell.log2_side};
+}
+Cell cell_of(const Subject& node) { return {node.point, node.log2_side}; }
+
+/// A request's rays go through the points of its subdivision, in their order; corners through those of the raster.
+TEST_F(Rays, HaveTheirPoints) {
+  for (const EventList& list : lists_) {
+    std::map<std::uint64_t, Subject> split;
+    for (const Event& request : list.of(Kind::read, requests)) split[request.subject.request] = request.subject;
+    std::map<std::uint64_t, std::size_t> rays_of_request;
+    std::vector<Subject> corners;
+    for (Subject ray : subjects_of(list.of(Kind::firing, "view_vector_generator"))) {
+      EXPECT_FALSE(ray.is_node());
+      if (ray.request == no_number) {
+        ray.ray = no_number;
+        corners.push_back(ray);
+        continue;
+      }
+      const Subject& node = split.at(ray.request);
+      EXPECT_EQ(ray.point, subdivision_point(cell_of(node), rays_of_request[ray.request]++));
+      EXPECT_EQ(ray.pixel, node.pixel);
+    }
+    EXPECT_EQ(corners, subjects_of(list.of(Kind::firing, "pixel_scan")));
+    std::uint32_t pixels = 0;
+    const auto columns = static_cast<std::uint32_t>(list.machine().image().columns()) + 1;
+    for (std::uint32_t k = 0; k < corners.size(); ++k) {
+      const std::uint32_t steps = 1U << list.machine().max_level();
+      EXPECT_EQ(corners[k].point, (GridPoint{k / columns * steps, k % columns * steps}));
+      EXPECT_EQ(corners[k].pixel, k < columns || k % columns == 0 ? no_pixel : pixels++);
+    }
+  }
+}
+
+/// Every node is classified once, and those that the colour unit gets fill their pixel. A node that is split has been
+/// sent for it, and comes back with the first of its rays.
+TEST_F(Rays, MakeNodesThatFillTheirPixels) {
+  for (const EventList& list : lists_) {
+    const int max_level = list.machine().max_level();
+    std::map<std::uint32_t, std::uint64_t> area;
+    std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> terminal;
+    const std::vector<Subject> colors = subjects_of(list.of(Kind::firing, "color_unit"));
+    for (const Subject& node : colors) {
+      ASSERT_TRUE(node.is_node());
+      EXPECT_TRUE(terminal.insert(address_of(cell_of(node))).second);
+      const auto columns = static_cast<std::uint32_t>(list.machine().image().columns());
+      EXPECT_EQ(node.pixel, (node.point.row >> max_level) * columns + (node.point.column >> max_level));
+      area[node.pixel] += std::uint64_t{side(cell_of(node))} * side(cell_of(node));
+    }
+    EXPECT_EQ(area.size(), list.machine().image().pixels().size());
+    for (const auto& [pixel, its] : area) EXPECT_EQ(its, std::uint64_t{1} << (2 * max_level));
+    EXPECT_EQ(subjects_of(list.of(Kind::firing, "tree_accumulator")), colors);
+    std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> sent;
+    for (const Event& node : list.of(Kind::read, "pyramid_classifier_to_subdivision_controller")) {
+      sent.insert(address_of(cell_of(node.subject)));
+    }
+    const std::vector<Event> issued = list.of(Kind::write, nodes);
+    for (const Event& node : issued) EXPECT_TRUE(sent.contains(address_of(cell_of(node.subject))));
+    EXPECT_EQ(subjects_of(list.of(Kind::read, nodes)), subjects_of(issued));
+    EXPECT_EQ(subjects_of(list.of(Kind::write, requests)), subjects_of(issued));
+    std::map<Cycle, Subject> at_controller;
+    for (const Event& firing : list.of(Kind::firing, "subdivision_controller"))
+      at_controller[firing.at] = firing.subject;
+    for (const Event& node : issued) EXPECT_EQ(at_controller.at(node.at), node.subject);
   }
 }
 
