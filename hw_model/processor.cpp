@@ -152,6 +152,10 @@ void Processor::list(const StagePlan<Stage>& plan, const Need& need, std::vector
   parts.insert(parts.end(), inside.begin(), inside.end());
 }
 
+std::size_t Processor::number_of(const Stage& stage) const {
+  return static_cast<std::size_t>(std::find(stages_.begin(), stages_.end(), &stage) - stages_.begin());
+}
+
 std::vector<MachinePart> Processor::parts() const {
   std::vector<MachinePart> parts;
   auto need = needs_.begin();

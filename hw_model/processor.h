@@ -59,6 +59,8 @@ class Processor final : public sc_core::sc_module {
   const MachineSpec& spec() const { return spec_; }
   /// In data-flow order, of what was built.
   const std::vector<Stage*>& stages() const { return stages_; }
+  /// In stages().
+  std::size_t number_of(const Stage& stage) const;
   const std::vector<FifoBase*>& fifos() const { return fifos_; }
   const std::vector<Wire>& wires() const { return wires_; }  ///< of fifos(), one by one
   const Wire& wire_of(const FifoBase& fifo) const;

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "hw_model/plan/stage_list.h"
 #include "hw_model/wire.h"
 
@@ -21,9 +19,8 @@ KanataTrace::KanataTrace(Processor& processor, const TraceWindow& window, Output
   for (std::size_t k = 0; k < processor.fifos().size(); ++k) {
     const Wire& wire = processor.wires()[k];
     names_.emplace_back(processor.fifos()[k]->basename());
-    const auto reader = std::find(stages.begin(), stages.end(), wire.reader);
     const bool of_unit_numbers = wire.writer == stages[generator_] && wire.reader == stages[classifier_];
-    readers_.push_back(of_unit_numbers ? nowhere : static_cast<std::size_t>(reader - stages.begin()));
+    readers_.push_back(of_unit_numbers ? nowhere : processor.number_of(*wire.reader));
   }
   for (const std::string& name : names_) shown_.push_back(window.shows(name));
   output_.write("Kanata\t0004\n");

@@ -28,6 +28,7 @@ struct SimulateCommand {
   TraceOptions trace;
   std::vector<std::string> maps;
   bool explain = false;
+  bool critical_path = false;
 
   void run() const {
     auto [asked, scene] = asked_run(frame, machine);
@@ -52,6 +53,7 @@ struct SimulateCommand {
     const hw::Processor& processor = simulation.processor();
     traces.begin(simulation.processor());
     if (statistics) simulation.watch_occupancies();
+    if (critical_path) simulation.watch_critical_path();
     Outcome outcome;
     run_interruptibly(
         [&] {
@@ -94,6 +96,8 @@ void add_simulate_command(const Command& program) {
   command.add_text("--stats", options->stats, "statistics as JSON; - for stdout").type_name("FILE|-");
   options->trace.add(command);
   add_map_option(command, options->maps, cost_map_names.size());
+  command.add_flag("--critical-path", options->critical_path,
+                   "what the frame's time is owed to, in the table and in --stats: the chain of causes from its end");
   command.add_flag("--explain", options->explain, "what of the machine was built, why, and what it costs");
 }
 

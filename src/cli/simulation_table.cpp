@@ -2,7 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <numeric>
+#include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/frame_table.h"
@@ -92,6 +96,45 @@ std::string bottleneck_lines(const Outcome& outcome) {
          fmt::format("bottleneck    {}\n", hw::bottleneck_text(outcome.bottleneck));
 }
 
+/// Without the numbers of copies: "intersection_unit_3" is one of the intersection_units.
+std::string place_of_copies(const Outcome& outcome, const PathAccount& account) {
+  const auto unit = std::find_if(outcome.units.begin(), outcome.units.end(),
+                                 [&](const UnitAccount& its) { return its.name == account.place; });
+  if (unit != outcome.units.end()) return unit->box;
+  static const std::regex number("_[0-9]+");
+  return std::regex_replace(account.place, number, "");
+}
+
+std::string owed_text(const std::string& owed, const std::string& place) {
+  if (owed == "occupied") return place + " occupied";
+  return fmt::format("{} {} {}", owed, owed == "room" ? "in" : "of", place);
+}
+
+/// The largest shares, those of copies together; the rest on one line.
+std::string critical_path_lines(const Outcome& outcome) {
+  constexpr std::size_t most_lines = 6;
+  std::map<std::string, hw::Cycle> by_text;
+  for (const PathAccount& account : outcome.critical_path) {
+    by_text[owed_text(account.owed, place_of_copies(outcome, account))] += account.cycles;
+  }
+  std::vector<std::pair<std::string, hw::Cycle>> lines(by_text.begin(), by_text.end());
+  std::stable_sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  if (lines.size() > most_lines) {
+    const auto rest = lines.begin() + most_lines - 1;
+    const hw::Cycle cycles = std::accumulate(rest, lines.end(), hw::Cycle{0},
+                                             [](hw::Cycle sum, const auto& line) { return sum + line.second; });
+    const std::string others = fmt::format("{} others", lines.end() - rest);
+    lines.erase(rest, lines.end());
+    lines.emplace_back(others, cycles);
+  }
+  std::string text;
+  for (const auto& [owed, cycles] : lines) {
+    text += fmt::format("{:<13} {:>12}   cycles, {:.1f} %: {}\n", text.empty() ? "critical path" : "", grouped(cycles),
+                        100 * static_cast<double>(cycles) / static_cast<double>(outcome.cycles), owed);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string simulation_table(const Run& run, const Outcome& outcome) {
@@ -104,7 +147,8 @@ std::string simulation_table(const Run& run, const Outcome& outcome) {
   text += unit_lines(outcome);
   text += fmt::format("\ncycles        {:>12}   {:.1f} frames per second at {} MHz\n", grouped(outcome.cycles),
                       frames_per_second(run, outcome.cycles), spec.clock_mhz);
-  text += bottleneck_lines(outcome) + latency_line(outcome.latency) + slowest_pixel_lines(outcome.slowest);
+  text += bottleneck_lines(outcome) + critical_path_lines(outcome) + latency_line(outcome.latency) +
+          slowest_pixel_lines(outcome.slowest);
   text += fmt::format("budget        {:>12}   for {} frames per second: {}\n", grouped(spec.budget()), spec.goal_fps,
                       met ? "met" : "missed");
   return text;

@@ -143,7 +143,11 @@ ordered_json bottleneck_document(const Outcome& outcome) {
     if (link.waited > 0) chain.back()[link.starved ? "starved_by_next" : "blocked_by_next"] = link.waited;
   }
   const hw::LowerBound& bound = outcome.lower_bound;
-  return {{"chain", chain}, {"lower_bound", {{"unit", bound.unit}, {"cycles", bound.cycles}}}};
+  ordered_json document{{"chain", chain}, {"lower_bound", {{"unit", bound.unit}, {"cycles", bound.cycles}}}};
+  for (const auto& [owed, place, cycles] : outcome.critical_path) {
+    document["critical_path"].push_back({{"owed", owed}, {"place", place}, {"cycles", cycles}});
+  }
+  return document;
 }
 
 ordered_json latency_document(const LatencyAccount& latency) {

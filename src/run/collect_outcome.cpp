@@ -39,6 +39,14 @@ void collect_fifos(Outcome& outcome, const hw::Processor& processor, hw::Occupan
   }
 }
 
+void collect_critical_path(Outcome& outcome, const hw::Processor& processor, hw::CriticalPath& path) {
+  path.finish();
+  for (const auto& [owed, place, cycles] : path.shares()) {
+    outcome.critical_path.push_back(
+        {std::string(hw::owed_names[static_cast<std::size_t>(owed)]), hw::place_name(processor, owed, place), cycles});
+  }
+}
+
 void collect_latencies(Outcome& outcome, const hw::Processor& processor) {
   hw::LatencyHistogram all;
   for (const hw::LatencyHistogram& level : processor.tree_accumulator().latencies()) {
@@ -54,7 +62,7 @@ void collect_latencies(Outcome& outcome, const hw::Processor& processor) {
 
 }  // namespace
 
-Outcome collect_outcome(hw::Processor& processor, hw::Occupancies* occupancies) {
+Outcome collect_outcome(hw::Processor& processor, hw::Occupancies* occupancies, hw::CriticalPath* critical_path) {
   Outcome outcome;
   outcome.unfinished = hw::why_unfinished(processor);
   if (!outcome.unfinished.empty()) return outcome;
@@ -66,6 +74,7 @@ Outcome collect_outcome(hw::Processor& processor, hw::Occupancies* occupancies) 
   collect_fifos(outcome, processor, occupancies);
   outcome.bottleneck = hw::bottleneck_chain(processor);
   outcome.lower_bound = hw::lower_bound(processor);
+  if (critical_path != nullptr) collect_critical_path(outcome, processor, *critical_path);
   collect_latencies(outcome, processor);
   return outcome;
 }

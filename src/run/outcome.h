@@ -47,6 +47,14 @@ struct FifoAccount {
   friend bool operator==(const FifoAccount&, const FifoAccount&) = default;
 };
 
+/// Cycles of the frame's critical path that are owed to one place.
+struct PathAccount {
+  std::string owed;   ///< of hw::owed_names
+  std::string place;  ///< a unit; of room a FIFO
+  hw::Cycle cycles = 0;
+  friend bool operator==(const PathAccount&, const PathAccount&) = default;
+};
+
 /// How long pixels took from their first ray on, in cycles.
 struct LatencyAccount {
   struct Class {
@@ -99,6 +107,7 @@ struct Outcome {
   std::vector<FifoAccount> fifos;
   std::vector<hw::BottleneckLink> bottleneck;
   hw::LowerBound lower_bound{};
+  std::vector<PathAccount> critical_path;  ///< the most cycles first; empty where nobody asked for it
   LatencyAccount latency;
   std::vector<LatencyAccount> latency_by_level;  ///< of the deepest level in a pixel's tree
   std::vector<SlowPixel> slowest;                ///< the slowest first

@@ -136,6 +136,13 @@ void for_each_field(Self& its, const auto& visit) {
   visit("cycles", its.cycles);
 }
 
+template <MaybeConst<PathAccount> Self>
+void for_each_field(Self& its, const auto& visit) {
+  visit("owed", its.owed);
+  visit("place", its.place);
+  visit("cycles", its.cycles);
+}
+
 template <MaybeConst<LatencyAccount::Class> Self>
 void for_each_field(Self& its, const auto& visit) {
   visit("up_to", its.up_to);
@@ -194,6 +201,7 @@ void for_each_field(Self& its, const auto& visit) {
   visit("fifos", its.fifos);
   visit("bottleneck", its.bottleneck);
   visit("lower_bound", its.lower_bound);
+  visit("critical_path", its.critical_path);
   visit("latency", its.latency);
   visit("latency_by_level", its.latency_by_level);
   visit("slowest", its.slowest);

@@ -45,7 +45,8 @@ Outcome Simulation::run() {
   const Clock::time_point begin = Clock::now();
   run_simulation();
   const std::chrono::duration<double> elapsed = Clock::now() - begin;
-  Outcome outcome = collect_outcome(processor_, occupancies_ ? &*occupancies_ : nullptr);
+  Outcome outcome =
+      collect_outcome(processor_, occupancies_ ? &*occupancies_ : nullptr, critical_path_ ? &*critical_path_ : nullptr);
   outcome.host_seconds = elapsed.count();
   return outcome;
 }

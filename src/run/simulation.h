@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "hw_model/processor.h"
+#include "hw_model/report/critical_path.h"
 #include "hw_model/trace/occupancies.h"
 #include "image/image.h"
 #include "run/outcome.h"
@@ -33,6 +34,8 @@ class Simulation {
   const Intersector& intersector() const { return *intersector_; }
   /// The outcome will say how full FIFOs were over time. Before run().
   void watch_occupancies() { occupancies_.emplace(processor_); }
+  /// The outcome will say what the frame's time was owed to; costs as much as a trace. Before run().
+  void watch_critical_path() { processor_.attach(critical_path_.emplace(processor_)); }
   /// Throws as run_simulation() does.
   Outcome run();
 
@@ -43,6 +46,7 @@ class Simulation {
   std::shared_ptr<const Intersector> intersector_;
   hw::Processor processor_;
   std::optional<hw::Occupancies> occupancies_;
+  std::optional<hw::CriticalPath> critical_path_;
 };
 
 /// Adds to the outcome of a finished frame what is to be known of it beside.

@@ -128,6 +128,24 @@ class Statistics(tool.EndToEnd):
             self.assertEqual(bound["cycles"], max(-(-sum(units) // len(units)), *others))
 
 
+    def test_every_cycle_is_owed_to_something(self):
+        command = ["simulate", KEEL, "--size", "32x24", "--machine", MACHINES / "small.json"]
+        plain = self.ok(*command, "--stats", "plain.json")
+        table = self.ok(*command, "--critical-path", "--stats", "path.json")
+        plain_document, document = (tool.read_json(self.folder / name) for name in ("plain.json", "path.json"))
+        path = document["bottleneck"].pop("critical_path")
+        self.assertEqual(document | {"command": ""}, plain_document | {"command": ""})
+        self.assertEqual(sum(part["cycles"] for part in path), document["machine"]["cycles"])
+        places = {"room": {fifo["name"] for fifo in document["fifos"]}}
+        units = {unit["name"] for unit in document["units"]}
+        for part in path:
+            self.assertIn(part["place"], places.get(part["owed"], units))
+        lines = table.splitlines()
+        added = [line for line in lines if line not in plain.splitlines()]
+        self.assertTrue(added[0].startswith("critical path"), added)
+        self.assertEqual(sum(int(line[14:26].replace(",", "")) for line in added), document["machine"]["cycles"])
+
+
 class Memory(tool.EndToEnd):
     def scene(self, count):
         side = 120

@@ -192,7 +192,7 @@ class Schemas(tool.EndToEnd):
                 ["simulate", keel, *small, "--max-level", "0"], ["simulate", spheres, *small, "--edge", "drop"],
                 ["simulate", spheres, *small, "--machine", MACHINES / "small.json"],
                 ["simulate", spheres, *small, "--machine", MACHINES / "wide.json"],
-                ["simulate", keel, *small, "--set", "goal_fps=1e5"], ["simulate", empty]):
+                ["simulate", keel, *small, "--set", "goal_fps=1e5"], ["simulate", empty], ["simulate", keel, *small, "--critical-path"]):
             document = self.stats(*arguments)
             self.assert_valid(validator, document, arguments)
             self.check_sums(document)
