@@ -22,11 +22,11 @@ class Trace {
 /// A format that a trace can have.
 struct TraceFormat {
   std::string_view ending;  ///< of files' names
-  bool revises;             ///< what has been written may be overwritten: the output has to be revisable
+  bool revises;             ///< what has been written may be overwritten, and is no file before it is complete
   /// Of `processor`, whose simulation has not started; all outlive it.
   std::unique_ptr<Trace> (*make)(Processor& processor, const TraceWindow& window, OutputFile& output);
 };
 
-extern const std::array<TraceFormat, 4> trace_formats;
+extern const std::array<TraceFormat, 5> trace_formats;
 
 }  // namespace pyrasim::hw

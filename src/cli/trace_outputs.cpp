@@ -59,11 +59,11 @@ void TraceOutputs::finish(hw::Cycle cycles) {
 
 void TraceOptions::add(const Command& command) {
   command
-      .add_texts(
-          "--trace", files,
-          "what units and FIFOs do over time, may be given for several files: VCD (GTKWave), .pftrace (Perfetto), "
-          ".json (Chrome), .kanata (Konata: a row for each ray); - for VCD on stdout")
-      .type_name("FILE.vcd|.pftrace|.json|.kanata|-");
+      .add_texts("--trace", files,
+                 "what units and FIFOs do over time, may be given for several files: .vcd and .fst (GTKWave), .pftrace "
+                 "(Perfetto), "
+                 ".json (Chrome), .kanata (Konata: a row for each ray); - for VCD on stdout")
+      .type_name("FILE.vcd|.fst|.pftrace|.json|.kanata|-");
   command.add_integer("--trace-from", window.from, 0, hw::never - 1, "the first cycle that traces show")
       .type_name("CYCLE");
   command.add_integer("--trace-to", window.to, 1, hw::never - 1, "the cycle with which traces end").type_name("CYCLE");

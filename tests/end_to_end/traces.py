@@ -216,8 +216,9 @@ class Traces(tool.EndToEnd):
                 self.assertEqual(served, sorted(units[ray])[:len(served)])
 
     def test_engines_write_the_same(self):
+        formats = ("fst", "pftrace", "json", "kanata")
         for frame in FRAMES[:2]:
-            bytes_of = [self.traced(*frame, "--engine", engine)[1] for engine in ("decoupled", "lockstep")]
+            bytes_of = [self.traced(*frame, "--engine", engine, formats=formats)[1] for engine in ("decoupled", "lockstep")]
             self.assertEqual(*bytes_of)
 
     def test_windows(self):
@@ -268,7 +269,7 @@ class Traces(tool.EndToEnd):
 
     def broken_off(self, number):
         """A run that a signal ends; its traces by ending."""
-        traces = [word for ending in ("vcd", "pftrace", "json", "kanata") for word in ("--trace", f"x.{ending}")]
+        traces = [word for ending in ("vcd", "fst", "pftrace", "json", "kanata") for word in ("--trace", f"x.{ending}")]
         with subprocess.Popen([tool.PYRASIM, "simulate", SCENES / "keel.json", "--size", "2000x1500", *traces],
                               cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
             file = self.folder / "x.json"
@@ -287,10 +288,12 @@ class Traces(tool.EndToEnd):
         kanata = Kanata((self.folder / "x.kanata").read_text())
         self.assertGreater(len(kanata.rows), 1000)
         self.assertTrue((self.folder / "x.vcd").read_text().endswith("\n"))
+        self.assertTrue((self.folder / "x.fst").exists())
 
     def test_killed(self):
         self.assertEqual(self.broken_off(signal.SIGKILL), -signal.SIGKILL)
-        self.assertFalse((self.folder / "x.vcd").exists())
+        for ending in ("vcd", "fst"):
+            self.assertFalse((self.folder / f"x.{ending}").exists())
         for ending, read in READERS.items():
             self.assertGreater(len(read((self.folder / f"x.{ending}").read_bytes()).slices), 1000)
         self.assertEqual((self.folder / "x.kanata").read_text().count("Kanata"), 1)
@@ -306,7 +309,7 @@ class Traces(tool.EndToEnd):
         def refused(*arguments, says):
             self.refused(USAGE, "simulate", SCENES / "keel.json", *arguments, says=says)
 
-        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .pftrace, .json, .kanata, or be -")
+        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .fst, .pftrace, .json, .kanata, or be -")
         refused("--trace", "x.vcd", "--trace", "x.vcd", says="are one file or stream")
         refused("--trace", "x.json", "--stats", "x.json", says="are one file or stream")
         refused("--trace", "x.vcd", "--trace-from", "9", "--trace-to", "9", says="no cycle lies between them")
