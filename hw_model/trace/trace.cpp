@@ -3,6 +3,7 @@
 
 #include "hw_model/trace/chrome_trace.h"
 #include "hw_model/trace/fst_trace.h"
+#include "hw_model/trace/gtkw_save.h"
 #include "hw_model/trace/kanata_trace.h"
 #include "hw_model/trace/perfetto_trace.h"
 #include "hw_model/trace/timeline.h"
@@ -31,10 +32,11 @@ class Written final : public Trace {
 
 }  // namespace
 
-const std::array<TraceFormat, 5> trace_formats{{{".vcd", true, make<VcdTrace>},
+const std::array<TraceFormat, 6> trace_formats{{{".vcd", true, make<VcdTrace>},
                                                 {".fst", true, make<FstTrace>},
                                                 {".pftrace", false, make<Written<PerfettoTrace>>},
                                                 {".json", false, make<Written<ChromeTrace>>},
-                                                {".kanata", false, make<KanataTrace>}}};
+                                                {".kanata", false, make<KanataTrace>},
+                                                {".gtkw", false, make<GtkwSave>}}};
 
 }  // namespace pyrasim::hw

@@ -27,6 +27,6 @@ struct TraceFormat {
   std::unique_ptr<Trace> (*make)(Processor& processor, const TraceWindow& window, OutputFile& output);
 };
 
-extern const std::array<TraceFormat, 5> trace_formats;
+extern const std::array<TraceFormat, 6> trace_formats;
 
 }  // namespace pyrasim::hw

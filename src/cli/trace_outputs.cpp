@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "error.h"
+#include "hw_model/trace/gtkw_save.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -36,6 +37,7 @@ TraceOutputs::TraceOutputs(const TraceOptions& asked, OutputPlan& plan) : window
   for (const std::string& file : asked.files) {
     plan.writes("--trace", file, endings());
     asked_.push_back({file, &format_of(file)});
+    if (asked_.back().format->ending == ".gtkw") plan.writes("--trace", hw::GtkwSave::states_file(file).string());
   }
 }
 
@@ -62,8 +64,9 @@ void TraceOptions::add(const Command& command) {
       .add_texts("--trace", files,
                  "what units and FIFOs do over time, may be given for several files: .vcd and .fst (GTKWave), .pftrace "
                  "(Perfetto), "
-                 ".json (Chrome), .kanata (Konata: a row for each ray); - for VCD on stdout")
-      .type_name("FILE.vcd|.fst|.pftrace|.json|.kanata|-");
+                 ".json (Chrome), .kanata (Konata: a row for each ray), .gtkw (how GTKWave shows .vcd and .fst); - for "
+                 "VCD on stdout")
+      .type_name("FILE.vcd|.fst|.pftrace|.json|.kanata|.gtkw|-");
   command.add_integer("--trace-from", window.from, 0, hw::never - 1, "the first cycle that traces show")
       .type_name("CYCLE");
   command.add_integer("--trace-to", window.to, 1, hw::never - 1, "the cycle with which traces end").type_name("CYCLE");

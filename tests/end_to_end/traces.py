@@ -309,9 +309,11 @@ class Traces(tool.EndToEnd):
         def refused(*arguments, says):
             self.refused(USAGE, "simulate", SCENES / "keel.json", *arguments, says=says)
 
-        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .fst, .pftrace, .json, .kanata, or be -")
+        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .fst, .pftrace, .json, .kanata, .gtkw, or be -")
         refused("--trace", "x.vcd", "--trace", "x.vcd", says="are one file or stream")
         refused("--trace", "x.json", "--stats", "x.json", says="are one file or stream")
+        refused("--trace", "x.gtkw", "--trace", "./x.gtkw", says="are one file or stream")
+        refused("--trace", "x.gtkw", "--stats", "x.states", says="are one file or stream")
         refused("--trace", "x.vcd", "--trace-from", "9", "--trace-to", "9", says="no cycle lies between them")
         refused("--trace", "x.vcd", "--trace-from", "-1", says="--trace-from")
 
