@@ -34,7 +34,7 @@ std::string states_text() {
 /// `zoom`: to the base of two, of a screen that shows 200 pixels a unit of time at 0.
 std::string layout(const VcdTime& time, Cycle from) {
   const double zoom = std::log2(cycle_pixels / (200 * static_cast<double>(time.date(1))));
-  return fmt::format("[timestart] {}\n[size] 1400 900\n[signals_width] 450\n[sst_expanded] 0\n*{:.6f} -1\n",
+  return fmt::format("[timestart] {}\n[size] 1400 900\n[signals_width] 480\n[sst_expanded] 0\n*{:.6f} -1\n",
                      time.date(from), zoom);
 }
 
