@@ -18,6 +18,8 @@ class FstTrace final : public Trace {
   FstTrace(Processor& processor, const TraceWindow& window, OutputFile& output);
 
   void finish(Cycle cycles) override;
+  /// The limit is one of the VCD: what is left of it is known in the end.
+  std::optional<Cycle> full() const override { return vcd_.full(); }
 
  private:
   const Processor& processor_;

@@ -22,8 +22,9 @@ template <class Writer>
 class Written final : public Trace {
  public:
   Written(Processor& processor, const TraceWindow& window, OutputFile& output)
-      : writer_(processor, output), timeline_(processor, window, writer_) {}
+      : writer_(processor, output), timeline_(processor, window, writer_, output) {}
   void finish(Cycle cycles) override { timeline_.finish(cycles); }
+  std::optional<Cycle> full() const override { return timeline_.full(); }
 
  private:
   Writer writer_;

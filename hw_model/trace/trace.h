@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "files/output_file.h"
@@ -17,6 +18,8 @@ class Trace {
   virtual ~Trace() = default;
   /// Writes the rest, of a frame of `cycles` that is over or was broken off. The output is not committed.
   virtual void finish(Cycle cycles) = 0;
+  /// The cycle with which it ended at the limit of its size, if it did.
+  virtual std::optional<Cycle> full() const { return std::nullopt; }
 };
 
 /// A format that a trace can have.

@@ -84,6 +84,7 @@ void VcdTrace::write_values() {
 
 void VcdTrace::take(const Event& event) {
   write_before(event.at);
+  window_.end_if_full(output_.size(), event.at);
   const std::size_t fifo = processor_.stages().size() + event.source;
   if (!signals_[event.kind == Event::Kind::firing ? event.source : fifo].shown) return;
   switch (event.kind) {

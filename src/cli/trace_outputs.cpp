@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <iostream>
 
 #include "error.h"
 #include "hw_model/trace/gtkw_save.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -26,6 +29,23 @@ const hw::TraceFormat& format_of(const std::string& file) {
   return found == hw::trace_formats.end() ? hw::trace_formats.front() : *found;
 }
 
+/// "10M". Throws UsageError.
+std::uint64_t parse_bytes(const std::string& text) {
+  constexpr std::string_view suffixes = "KMG";  // thousands, each of the one before
+  std::uint64_t bytes = 0;
+  const char* const text_end = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), text_end, bytes);
+  const std::size_t power = end == text_end ? 0 : suffixes.find(*end) + 1;  // 0: none, or an unknown one
+  const bool whole = end == text_end || (power > 0 && end + 1 == text_end);
+  if (error != std::errc() || !whole || bytes == 0 || bytes > 1'000'000'000) {
+    throw UsageError(
+        fmt::format("--trace-limit {}: a number of bytes from 1 to 1000000000, or of as many K, M or G, is allowed",
+                    value_excerpt(text)));
+  }
+  for (std::size_t k = 0; k < power; ++k) bytes *= 1000;
+  return bytes;
+}
+
 }  // namespace
 
 TraceOutputs::TraceOutputs(const TraceOptions& asked, OutputPlan& plan) : window_(asked.window) {
@@ -34,6 +54,7 @@ TraceOutputs::TraceOutputs(const TraceOptions& asked, OutputPlan& plan) : window
         fmt::format("--trace-from {} --trace-to {}: no cycle lies between them; more of the second is needed",
                     window_.from, window_.to));
   }
+  if (asked.limit) window_.limit = parse_bytes(*asked.limit);
   for (const std::string& file : asked.files) {
     plan.writes("--trace", file, endings());
     asked_.push_back({file, &format_of(file)});
@@ -56,6 +77,10 @@ void TraceOutputs::finish(hw::Cycle cycles) {
   for (std::size_t k = 0; k < traces_.size(); ++k) {
     traces_[k]->finish(cycles);
     outputs_[k]->commit();
+    if (const auto end = traces_[k]->full()) {
+      std::cerr << fmt::format("pyrasim: warning: --trace {}: ends at cycle {}, with --trace-limit\n", asked_[k].file,
+                               *end);
+    }
   }
 }
 
@@ -74,6 +99,11 @@ void TraceOptions::add(const Command& command) {
       .add_texts("--trace-unit", window.units,
                  "the units and FIFOs that traces show, as a shell's pattern: 'intersection_unit*'; repeatable")
       .type_name("GLOB");
+  command
+      .add_text(
+          "--trace-limit", limit,
+          "a file of --trace ends when it has so many bytes (K, M, G: thousands, millions, thousands of millions)")
+      .type_name("SIZE");
 }
 
 }  // namespace pyrasim::cli

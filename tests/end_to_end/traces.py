@@ -4,6 +4,7 @@ runs that were broken off."""
 
 import collections
 import json
+import re
 import signal
 import struct
 import subprocess
@@ -305,6 +306,33 @@ class Traces(tool.EndToEnd):
             slices = read((self.folder / f"x.{ending}").read_bytes()).slices
             self.assertGreater(max(end for _, _, _, end, _ in slices), 2000)
 
+    def test_a_limit_of_size(self):
+        """The trace ends, not the run: it is that of a window, which ends at the cycle that stderr names."""
+        whole = self.stats("simulate", *FRAMES[0])
+        limit = 200_000
+        for ending in ("vcd", "fst", "kanata", *READERS):
+            run = self.run_tool("simulate", *FRAMES[0], "--trace", f"x.{ending}", "--trace-limit", "200K", "--stats",
+                                "x.stats")
+            self.assertEqual(run.returncode, tool.OK)
+            self.assertEqual({**tool.read_json(self.folder / "x.stats"), "command": ""}, {**whole, "command": ""})
+            says = re.fullmatch(rf"pyrasim: warning: --trace x.{ending}: ends at cycle (\d+), with --trace-limit\n", run.stderr)
+            end = int(says.group(1))
+            self.assertLess(100, end)
+            self.assertLess(end, whole["machine"]["cycles"] / 2)
+            limited = (self.folder / f"x.{ending}").read_bytes()
+            self.assertLess(len(limited), 1.1 * limit)
+            if ending != "fst":  # of as many changes as the .vcd
+                self.assertGreaterEqual(len(limited), limit)
+            self.ok("simulate", *FRAMES[0], "--trace", f"x.{ending}", "--trace-to", end)
+            window = (self.folder / f"x.{ending}").read_bytes()
+            if ending not in READERS:
+                self.assertEqual(limited, window)
+                continue
+            limited, window = READERS[ending](limited), READERS[ending](window)
+            self.assertEqual(limited.window(0, end), window.all())
+            self.assertEqual(limited.fills, window.fills)
+        self.ok("simulate", *FRAMES[0], "--trace", "x.json", "--trace", "x.vcd", "--trace-limit", "1G")
+
     def test_mistakes(self):
         def refused(*arguments, says):
             self.refused(USAGE, "simulate", SCENES / "keel.json", *arguments, says=says)
@@ -315,6 +343,8 @@ class Traces(tool.EndToEnd):
         refused("--trace", "x.gtkw", "--trace", "./x.gtkw", says="are one file or stream")
         refused("--trace", "x.gtkw", "--stats", "x.states", says="are one file or stream")
         refused("--trace", "x.vcd", "--trace-from", "9", "--trace-to", "9", says="no cycle lies between them")
+        for size in ("0", "-1", "K", "5x", "1KK", "1T", "1000000001"):
+            refused("--trace", "x.vcd", "--trace-limit", size, says=f"--trace-limit {size}: a number of bytes from 1 to")
         refused("--trace", "x.vcd", "--trace-from", "-1", says="--trace-from")
 
 
