@@ -100,7 +100,7 @@ bool FstFile::is_whole() const {
 
 void FstFile::write_to(OutputFile& output) {
   complete();
-  if (!is_whole()) fail("what was written cannot be read");
+  if (!is_whole()) fail("what was written cannot be read again; is the disk full?");
   std::array<char, 65536> piece;
   off_t position = 0;
   while (const ssize_t count = pread(descriptor_, piece.data(), piece.size(), position)) {
