@@ -6,7 +6,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pyrasim)
 set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/pyrasim)
 
 # The libraries, as pyrasim::core and pyrasim::hw; inside this project those names mean the same.
-foreach(part IN ITEMS core hw run systemc flags)
+foreach(part IN ITEMS core hw run systemc flags fst)
   add_library(pyrasim::${part} ALIAS pyrasim_${part})
   set_target_properties(pyrasim_${part} PROPERTIES EXPORT_NAME ${part})
 endforeach()
@@ -19,7 +19,7 @@ file(GLOB_RECURSE machine_headers CONFIGURE_DEPENDS hw_model/*.h)
 target_sources(pyrasim_core PUBLIC FILE_SET HEADERS BASE_DIRS src FILES ${core_headers})
 target_sources(pyrasim_hw PUBLIC FILE_SET HEADERS BASE_DIRS . FILES ${machine_headers})
 target_sources(pyrasim_run PUBLIC FILE_SET HEADERS BASE_DIRS src FILES ${run_headers})
-install(TARGETS pyrasim_core pyrasim_hw pyrasim_run pyrasim_systemc pyrasim_flags EXPORT pyrasim
+install(TARGETS pyrasim_core pyrasim_hw pyrasim_run pyrasim_systemc pyrasim_flags pyrasim_fst EXPORT pyrasim
         ARCHIVE COMPONENT development
         FILE_SET HEADERS DESTINATION ${header_folder} COMPONENT development
         INCLUDES DESTINATION ${header_folder})

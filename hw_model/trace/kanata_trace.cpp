@@ -29,6 +29,7 @@ KanataTrace::KanataTrace(Processor& processor, const TraceWindow& window, Output
 
 void KanataTrace::take(const Event& event) {
   write_before(event.at);
+  window_.end_if_full(output_.size(), event.at);
   if (event.subject.ray == no_number) return;
   if (event.kind == Event::Kind::firing) {
     take_firing(event);

@@ -26,6 +26,7 @@ class KanataTrace final : public Trace, public EventSink {
 
   void take(const Event& event) override;
   void finish(Cycle cycles) override;
+  std::optional<Cycle> full() const override { return window_.full; }
 
  private:
   /// Where a ray goes, at a date that may lie ahead.

@@ -5,8 +5,8 @@
 
 namespace pyrasim::hw {
 
-Timeline::Timeline(Processor& processor, const TraceWindow& window, TraceWriter& writer)
-    : window_(window), writer_(writer) {
+Timeline::Timeline(Processor& processor, const TraceWindow& window, TraceWriter& writer, const OutputFile& output)
+    : window_(window), writer_(writer), output_(output) {
   for (const Stage* stage : processor.stages()) units_.push_back({window.shows(stage->basename())});
   for (const FifoBase* fifo : processor.fifos()) fifos_.push_back({window.shows(fifo->basename()), fifo->size()});
   processor.attach(*this);
@@ -19,6 +19,7 @@ void Timeline::show(Span span) {
 }
 
 void Timeline::take(const Event& event) {
+  window_.end_if_full(output_.size(), event.at);
   if (event.kind == Event::Kind::firing) {
     Unit& unit = units_[event.source];
     unit.until = event.until;

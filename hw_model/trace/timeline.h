@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "files/output_file.h"
 #include "hw_model/processor.h"
 #include "hw_model/trace/trace_window.h"
 #include "hw_model/trace/trace_writer.h"
@@ -17,13 +18,15 @@ namespace pyrasim::hw {
 class Timeline final : public EventSink {
  public:
   /// Of `processor`, whose simulation has not started; all outlive it.
-  Timeline(Processor& processor, const TraceWindow& window, TraceWriter& writer);
+  /// `output`: what the writer fills.
+  Timeline(Processor& processor, const TraceWindow& window, TraceWriter& writer, const OutputFile& output);
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
 
   void take(const Event& event) override;
   /// Of a frame of `cycles` that is over, or was broken off there.
   void finish(Cycle cycles);
+  std::optional<Cycle> full() const { return window_.full; }
 
  private:
   struct Unit {
@@ -44,6 +47,7 @@ class Timeline final : public EventSink {
 
   TraceWindow window_;
   TraceWriter& writer_;
+  const OutputFile& output_;
   std::vector<Unit> units_;
   std::vector<Fill> fifos_;
 };

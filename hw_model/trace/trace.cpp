@@ -2,6 +2,8 @@
 #include "hw_model/trace/trace.h"
 
 #include "hw_model/trace/chrome_trace.h"
+#include "hw_model/trace/fst_trace.h"
+#include "hw_model/trace/gtkw_save.h"
 #include "hw_model/trace/kanata_trace.h"
 #include "hw_model/trace/perfetto_trace.h"
 #include "hw_model/trace/timeline.h"
@@ -20,8 +22,9 @@ template <class Writer>
 class Written final : public Trace {
  public:
   Written(Processor& processor, const TraceWindow& window, OutputFile& output)
-      : writer_(processor, output), timeline_(processor, window, writer_) {}
+      : writer_(processor, output), timeline_(processor, window, writer_, output) {}
   void finish(Cycle cycles) override { timeline_.finish(cycles); }
+  std::optional<Cycle> full() const override { return timeline_.full(); }
 
  private:
   Writer writer_;
@@ -30,9 +33,11 @@ class Written final : public Trace {
 
 }  // namespace
 
-const std::array<TraceFormat, 4> trace_formats{{{".vcd", true, make<VcdTrace>},
+const std::array<TraceFormat, 6> trace_formats{{{".vcd", true, make<VcdTrace>},
+                                                {".fst", true, make<FstTrace>},
                                                 {".pftrace", false, make<Written<PerfettoTrace>>},
                                                 {".json", false, make<Written<ChromeTrace>>},
-                                                {".kanata", false, make<KanataTrace>}}};
+                                                {".kanata", false, make<KanataTrace>},
+                                                {".gtkw", false, make<GtkwSave>}}};
 
 }  // namespace pyrasim::hw

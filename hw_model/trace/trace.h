@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "files/output_file.h"
@@ -17,16 +18,18 @@ class Trace {
   virtual ~Trace() = default;
   /// Writes the rest, of a frame of `cycles` that is over or was broken off. The output is not committed.
   virtual void finish(Cycle cycles) = 0;
+  /// The cycle with which it ended at the limit of its size, if it did.
+  virtual std::optional<Cycle> full() const { return std::nullopt; }
 };
 
 /// A format that a trace can have.
 struct TraceFormat {
   std::string_view ending;  ///< of files' names
-  bool revises;             ///< what has been written may be overwritten: the output has to be revisable
+  bool revises;             ///< what has been written may be overwritten, and is no file before it is complete
   /// Of `processor`, whose simulation has not started; all outlive it.
   std::unique_ptr<Trace> (*make)(Processor& processor, const TraceWindow& window, OutputFile& output);
 };
 
-extern const std::array<TraceFormat, 4> trace_formats;
+extern const std::array<TraceFormat, 6> trace_formats;
 
 }  // namespace pyrasim::hw

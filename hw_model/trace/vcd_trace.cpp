@@ -9,20 +9,11 @@
 #include <charconv>
 #include <string_view>
 
+#include "hw_model/trace/vcd_code.h"
 #include "version.h"
 
 namespace pyrasim::hw {
 namespace {
-
-/// An identifier code of VCD: printable characters, shortest first.
-std::string code(std::size_t signal) {
-  std::string text;
-  do {
-    text += static_cast<char>('!' + signal % 94);
-    signal /= 94;
-  } while (signal > 0);
-  return text;
-}
 
 /// A stage's value, always in both of its bits, so that one can take the place of another.
 std::string_view bits_of(StageState state) {
@@ -47,7 +38,7 @@ VcdTrace::VcdTrace(Processor& processor, const TraceWindow& window, OutputFile& 
   signals_.resize(stages + processor.fifos().size());
   for (std::size_t k = 0; k < signals_.size(); ++k) {
     const bool stage = k < stages;
-    signals_[k].end = fmt::format(" {}\n", code(k));
+    signals_[k].end = fmt::format(" {}\n", vcd_code(k));
     signals_[k].shown =
         window.shows(stage ? processor.stages()[k]->basename() : processor.fifos()[k - stages]->basename());
     if (!stage) signals_[k].fill = processor.fifos()[k - stages]->size();
@@ -66,13 +57,13 @@ void VcdTrace::write_header() {
   const std::size_t stages = processor_.stages().size();
   for (std::size_t k = 0; k < stages; ++k) {
     if (!signals_[k].shown) continue;
-    output_.write(fmt::format("$var reg 2 {} {} [1:0] $end\n", code(k), processor_.stages()[k]->basename()));
+    output_.write(fmt::format("$var reg 2 {} {} [1:0] $end\n", vcd_code(k), processor_.stages()[k]->basename()));
   }
   for (std::size_t k = stages; k < signals_.size(); ++k) {
     if (!signals_[k].shown) continue;
     const FifoBase& fifo = *processor_.fifos()[k - stages];
     const int bits = static_cast<int>(std::bit_width(fifo.depth()));
-    output_.write(fmt::format("$var reg {} {} {} [{}:0] $end\n", bits, code(k), fifo.basename(), bits - 1));
+    output_.write(fmt::format("$var reg {} {} {} [{}:0] $end\n", bits, vcd_code(k), fifo.basename(), bits - 1));
   }
   output_.write("$upscope $end\n$enddefinitions $end\n");
 }
@@ -93,6 +84,7 @@ void VcdTrace::write_values() {
 
 void VcdTrace::take(const Event& event) {
   write_before(event.at);
+  window_.end_if_full(output_.size(), event.at);
   const std::size_t fifo = processor_.stages().size() + event.source;
   if (!signals_[event.kind == Event::Kind::firing ? event.source : fifo].shown) return;
   switch (event.kind) {

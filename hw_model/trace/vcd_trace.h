@@ -30,6 +30,7 @@ class VcdTrace final : public Trace, public EventSink {
 
   void take(const Event& event) override;
   void finish(Cycle cycles) override;
+  std::optional<Cycle> full() const override { return window_.full; }
 
  private:
   enum class Change : std::uint8_t { fires, rests, gains, loses };

@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <iostream>
 
 #include "error.h"
+#include "hw_model/trace/gtkw_save.h"
+#include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -25,6 +29,23 @@ const hw::TraceFormat& format_of(const std::string& file) {
   return found == hw::trace_formats.end() ? hw::trace_formats.front() : *found;
 }
 
+/// "10M". Throws UsageError.
+std::uint64_t parse_bytes(const std::string& text) {
+  constexpr std::string_view suffixes = "KMG";  // thousands, each of the one before
+  std::uint64_t bytes = 0;
+  const char* const text_end = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), text_end, bytes);
+  const std::size_t power = end == text_end ? 0 : suffixes.find(*end) + 1;  // 0: none, or an unknown one
+  const bool whole = end == text_end || (power > 0 && end + 1 == text_end);
+  if (error != std::errc() || !whole || bytes == 0 || bytes > 1'000'000'000) {
+    throw UsageError(
+        fmt::format("--trace-limit {}: a number of bytes from 1 to 1000000000, or of as many K, M or G, is allowed",
+                    value_excerpt(text)));
+  }
+  for (std::size_t k = 0; k < power; ++k) bytes *= 1000;
+  return bytes;
+}
+
 }  // namespace
 
 TraceOutputs::TraceOutputs(const TraceOptions& asked, OutputPlan& plan) : window_(asked.window) {
@@ -33,9 +54,11 @@ TraceOutputs::TraceOutputs(const TraceOptions& asked, OutputPlan& plan) : window
         fmt::format("--trace-from {} --trace-to {}: no cycle lies between them; more of the second is needed",
                     window_.from, window_.to));
   }
+  if (asked.limit) window_.limit = parse_bytes(*asked.limit);
   for (const std::string& file : asked.files) {
     plan.writes("--trace", file, endings());
     asked_.push_back({file, &format_of(file)});
+    if (asked_.back().format->ending == ".gtkw") plan.writes("--trace", hw::GtkwSave::states_file(file).string());
   }
 }
 
@@ -54,16 +77,21 @@ void TraceOutputs::finish(hw::Cycle cycles) {
   for (std::size_t k = 0; k < traces_.size(); ++k) {
     traces_[k]->finish(cycles);
     outputs_[k]->commit();
+    if (const auto end = traces_[k]->full()) {
+      std::cerr << fmt::format("pyrasim: warning: --trace {}: ends at cycle {}, with --trace-limit\n", asked_[k].file,
+                               *end);
+    }
   }
 }
 
 void TraceOptions::add(const Command& command) {
   command
-      .add_texts(
-          "--trace", files,
-          "what units and FIFOs do over time, may be given for several files: VCD (GTKWave), .pftrace (Perfetto), "
-          ".json (Chrome), .kanata (Konata: a row for each ray); - for VCD on stdout")
-      .type_name("FILE.vcd|.pftrace|.json|.kanata|-");
+      .add_texts("--trace", files,
+                 "what units and FIFOs do over time, may be given for several files: .vcd and .fst (GTKWave), .pftrace "
+                 "(Perfetto), "
+                 ".json (Chrome), .kanata (Konata: a row for each ray), .gtkw (how GTKWave shows .vcd and .fst); - for "
+                 "VCD on stdout")
+      .type_name("FILE.vcd|.fst|.pftrace|.json|.kanata|.gtkw|-");
   command.add_integer("--trace-from", window.from, 0, hw::never - 1, "the first cycle that traces show")
       .type_name("CYCLE");
   command.add_integer("--trace-to", window.to, 1, hw::never - 1, "the cycle with which traces end").type_name("CYCLE");
@@ -71,6 +99,11 @@ void TraceOptions::add(const Command& command) {
       .add_texts("--trace-unit", window.units,
                  "the units and FIFOs that traces show, as a shell's pattern: 'intersection_unit*'; repeatable")
       .type_name("GLOB");
+  command
+      .add_text(
+          "--trace-limit", limit,
+          "a file of --trace ends when it has so many bytes (K, M, G: thousands, millions, thousands of millions)")
+      .type_name("SIZE");
 }
 
 }  // namespace pyrasim::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace pyrasim::cli {
 struct TraceOptions {
   std::vector<std::string> files;
   hw::TraceWindow window;
+  std::optional<std::string> limit;  ///< "10M"
 
   void add(const Command& command);
 };

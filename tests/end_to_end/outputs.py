@@ -207,7 +207,7 @@ class Outputs(tool.EndToEnd):
 
     def test_kinds(self):
         """A name whose ending says another kind than is written is refused; a stream takes what it is sent."""
-        for name in ("x.fst", "x", "x.VCD", "x.pf"):
+        for name in ("x.ghw", "x", "x.VCD", "x.pf"):
             self.refused(USAGE, "simulate", self.scene, "--trace", name, says=f"--trace {name}: its name must end in .vcd")
         for name in ("x.png", "x.pdf", "x"):
             self.refused(USAGE, "study", "numerics", self.scene, "--plot", name, says="its name must end in .svg")

@@ -4,6 +4,7 @@ runs that were broken off."""
 
 import collections
 import json
+import re
 import signal
 import struct
 import subprocess
@@ -216,8 +217,9 @@ class Traces(tool.EndToEnd):
                 self.assertEqual(served, sorted(units[ray])[:len(served)])
 
     def test_engines_write_the_same(self):
+        formats = ("fst", "pftrace", "json", "kanata")
         for frame in FRAMES[:2]:
-            bytes_of = [self.traced(*frame, "--engine", engine)[1] for engine in ("decoupled", "lockstep")]
+            bytes_of = [self.traced(*frame, "--engine", engine, formats=formats)[1] for engine in ("decoupled", "lockstep")]
             self.assertEqual(*bytes_of)
 
     def test_windows(self):
@@ -268,7 +270,7 @@ class Traces(tool.EndToEnd):
 
     def broken_off(self, number):
         """A run that a signal ends; its traces by ending."""
-        traces = [word for ending in ("vcd", "pftrace", "json", "kanata") for word in ("--trace", f"x.{ending}")]
+        traces = [word for ending in ("vcd", "fst", "pftrace", "json", "kanata") for word in ("--trace", f"x.{ending}")]
         with subprocess.Popen([tool.PYRASIM, "simulate", SCENES / "keel.json", "--size", "2000x1500", *traces],
                               cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
             file = self.folder / "x.json"
@@ -287,10 +289,12 @@ class Traces(tool.EndToEnd):
         kanata = Kanata((self.folder / "x.kanata").read_text())
         self.assertGreater(len(kanata.rows), 1000)
         self.assertTrue((self.folder / "x.vcd").read_text().endswith("\n"))
+        self.assertTrue((self.folder / "x.fst").exists())
 
     def test_killed(self):
         self.assertEqual(self.broken_off(signal.SIGKILL), -signal.SIGKILL)
-        self.assertFalse((self.folder / "x.vcd").exists())
+        for ending in ("vcd", "fst"):
+            self.assertFalse((self.folder / f"x.{ending}").exists())
         for ending, read in READERS.items():
             self.assertGreater(len(read((self.folder / f"x.{ending}").read_bytes()).slices), 1000)
         self.assertEqual((self.folder / "x.kanata").read_text().count("Kanata"), 1)
@@ -302,14 +306,45 @@ class Traces(tool.EndToEnd):
             slices = read((self.folder / f"x.{ending}").read_bytes()).slices
             self.assertGreater(max(end for _, _, _, end, _ in slices), 2000)
 
+    def test_a_limit_of_size(self):
+        """The trace ends, not the run: it is that of a window, which ends at the cycle that stderr names."""
+        whole = self.stats("simulate", *FRAMES[0])
+        limit = 200_000
+        for ending in ("vcd", "fst", "kanata", *READERS):
+            run = self.run_tool("simulate", *FRAMES[0], "--trace", f"x.{ending}", "--trace-limit", "200K", "--stats",
+                                "x.stats")
+            self.assertEqual(run.returncode, tool.OK)
+            self.assertEqual({**tool.read_json(self.folder / "x.stats"), "command": ""}, {**whole, "command": ""})
+            says = re.fullmatch(rf"pyrasim: warning: --trace x.{ending}: ends at cycle (\d+), with --trace-limit\n", run.stderr)
+            end = int(says.group(1))
+            self.assertLess(100, end)
+            self.assertLess(end, whole["machine"]["cycles"] / 2)
+            limited = (self.folder / f"x.{ending}").read_bytes()
+            self.assertLess(len(limited), 1.1 * limit)
+            if ending != "fst":  # of as many changes as the .vcd
+                self.assertGreaterEqual(len(limited), limit)
+            self.ok("simulate", *FRAMES[0], "--trace", f"x.{ending}", "--trace-to", end)
+            window = (self.folder / f"x.{ending}").read_bytes()
+            if ending not in READERS:
+                self.assertEqual(limited, window)
+                continue
+            limited, window = READERS[ending](limited), READERS[ending](window)
+            self.assertEqual(limited.window(0, end), window.all())
+            self.assertEqual(limited.fills, window.fills)
+        self.ok("simulate", *FRAMES[0], "--trace", "x.json", "--trace", "x.vcd", "--trace-limit", "1G")
+
     def test_mistakes(self):
         def refused(*arguments, says):
             self.refused(USAGE, "simulate", SCENES / "keel.json", *arguments, says=says)
 
-        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .pftrace, .json, .kanata, or be -")
+        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .fst, .pftrace, .json, .kanata, .gtkw, or be -")
         refused("--trace", "x.vcd", "--trace", "x.vcd", says="are one file or stream")
         refused("--trace", "x.json", "--stats", "x.json", says="are one file or stream")
+        refused("--trace", "x.gtkw", "--trace", "./x.gtkw", says="are one file or stream")
+        refused("--trace", "x.gtkw", "--stats", "x.states", says="are one file or stream")
         refused("--trace", "x.vcd", "--trace-from", "9", "--trace-to", "9", says="no cycle lies between them")
+        for size in ("0", "-1", "K", "5x", "1KK", "1T", "1000000001"):
+            refused("--trace", "x.vcd", "--trace-limit", size, says=f"--trace-limit {size}: a number of bytes from 1 to")
         refused("--trace", "x.vcd", "--trace-from", "-1", says="--trace-from")
 
 

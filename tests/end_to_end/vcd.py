@@ -118,7 +118,7 @@ class Trace(tool.EndToEnd):
 
     def test_memory_does_not_grow_with_the_frame(self):
         """Ten times the rows are a hundred megabytes more of trace, and some of picture in memory."""
-        for name in ("out.vcd", "-"):
+        for name in ("out.vcd", "out.fst", "-"):
             arguments = ["simulate", SCENES / "keel.json", "--trace", name, "--threads", "1", "--size"]
             low, high = (self.memory(*arguments, f"320x{rows}") for rows in (200, 2000))
             self.assertLess(high - low, 48e6)
@@ -136,7 +136,7 @@ class Trace(tool.EndToEnd):
                 vcd = Vcd(file.read_text() if name == "out.vcd" else run.stdout, 200)
                 self.assertTrue(0.9 * cycles < vcd.end <= cycles + 100, vcd.end)
             (self.folder / "out.vcd").unlink()
-            for name, says in (("out.vcd", "out.vcd"), ("-", str(self.folder))):
+            for name, says in (("out.vcd", "out.vcd"), ("out.fst", str(self.folder)), ("-", str(self.folder))):
                 run = subprocess.run(["sh", "-c", 'trap "" XFSZ; ulimit -f 100; exec "$0" "$@"', tool.PYRASIM,
                                       *map(str, arguments), "--trace", name], stdin=subprocess.DEVNULL, timeout=60,
                                      capture_output=True, encoding="utf-8", cwd=self.folder, check=False,
