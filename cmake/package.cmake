@@ -30,7 +30,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libpyrasim-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-       "pyrasim (= ${PROJECT_VERSION}), libsystemc-dev, libglm-dev, nlohmann-json3-dev, libfmt-dev, libpng-dev, libssl-dev, "
+       "pyrasim (= ${PROJECT_VERSION}), libsystemc-dev, libglm-dev, nlohmann-json3-dev, libfmt-dev, libpng-dev, zlib1g-dev, libssl-dev, "
        "pkg-config")
 
 foreach(package IN ITEMS pyrasim libpyrasim-dev)

@@ -6,6 +6,14 @@
 #include <algorithm>
 
 namespace pyrasim::hw {
+namespace {
+
+std::size_t textured_objects(const Scene& scene) {
+  return static_cast<std::size_t>(std::count_if(scene.objects.begin(), scene.objects.end(),
+                                                [](const Object& object) { return object.texture != nullptr; }));
+}
+
+}  // namespace
 
 ColorUnit::ColorUnit(const sc_core::sc_module_name& name, const FrameSetup& frame)
     : StageOf(name),
@@ -13,9 +21,8 @@ ColorUnit::ColorUnit(const sc_core::sc_module_name& name, const FrameSetup& fram
       palette_(frame.scene, std::int64_t{1} << frame.options.max_level, frame.options.texture),
       edge_policy_(frame.options.edge),
       texture_cost_(frame.spec.texture_cost),
-      textured_objects_(
-          static_cast<std::size_t>(std::count_if(frame.scene.objects.begin(), frame.scene.objects.end(),
-                                                 [](const Object& object) { return object.texture != nullptr; }))) {}
+      recorded_textures_(frame.options.textures),
+      textured_objects_(recorded_textures_ ? recorded_textures_->objects() : textured_objects(frame.scene)) {}
 
 std::vector<StagePart> ColorUnit::parts() const {
   const std::size_t objects = textured_objects_;
@@ -29,7 +36,14 @@ Cycle ColorUnit::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();
   const TerminalMessage& node = ends.pyramid_classifier.front();
   TextureWork work;
-  const FixedColor color = palette_.terminal_color(node.which, node.corners, edge_policy_, node.cell, work);
+  FixedColor color{};
+  if (recorded_textures_) [[unlikely]] {
+    work = recorded_textures_->work(node.cell);
+  } else {
+    color = palette_.terminal_color(node.which, node.corners, edge_policy_, node.cell, work);
+  }
+  if (work_sink_ != nullptr) [[unlikely]]
+    work_sink_->node(node.cell, work);
   const Cycle cost = cost_of(work, texture_cost_);
   work_ += work;
   ends.tree_accumulator.write_made(

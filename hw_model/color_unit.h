@@ -7,6 +7,7 @@
 #include "hw_model/message.h"
 #include "hw_model/plan/frame_setup.h"
 #include "hw_model/plan/tester_parts.h"
+#include "hw_model/record/work_sink.h"
 #include "hw_model/stage/stage_of.h"
 
 namespace pyrasim::hw {
@@ -24,6 +25,8 @@ class ColorUnit final : public StageOf<ColorUnit> {
 
   const TextureWork& work() const { return work_; }
   std::vector<StagePart> parts() const;
+  /// `sink` is told of every node from now on, in scenes with textures.
+  void report_work_to(WorkSink& sink) { work_sink_ = textured_objects_ > 0 ? &sink : nullptr; }
 
  private:
   friend StageOf;
@@ -44,8 +47,10 @@ class ColorUnit final : public StageOf<ColorUnit> {
   Palette palette_;
   EdgePolicy edge_policy_;
   TextureCost texture_cost_;
+  std::shared_ptr<const RecordedTextures> recorded_textures_;  ///< in place of the scene's; or none
   std::size_t textured_objects_ = 0;
   TextureWork work_;
+  WorkSink* work_sink_ = nullptr;
 };
 
 extern template class StageOf<ColorUnit>;

@@ -16,7 +16,7 @@ IntersectionUnit::IntersectionUnit(const sc_core::sc_module_name& name, const Fr
 Cycle IntersectionUnit::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();
   const RayMessage& ray = ends.view_vector_generator.front();
-  const Sample sample = nearest_hit(ray, work_);
+  const Sample sample = work_sink_ == nullptr ? nearest_hit(ray, work_) : reported_hit(ray, work_);
   const Cycle tests = cost_of(work_, cost_);
   const Cycle occupied = cost_.ray + tests - tests_;
   tests_ = tests;
@@ -35,6 +35,14 @@ Sample IntersectionUnit::nearest_hit(const RayMessage& ray, Work& work) {
   if (corners_ahead_ != nullptr && !ray.subdivision) return corners_ahead_->trace(ray.point, ray.view_vector, work);
   if (count_events_) return counting_events(events_, [&] { return intersector_.intersect(ray.view_vector, work); });
   return intersector_.intersect(ray.view_vector, work);
+}
+
+[[gnu::noinline]] Sample IntersectionUnit::reported_hit(const RayMessage& ray, Work& work) {
+  Work own;
+  const Sample sample = nearest_hit(ray, own);
+  work_sink_->ray(ray.point, sample.seen, own);
+  work += own;
+  return sample;
 }
 
 void IntersectionUnit::add_shadows(SampleMessage& message) {

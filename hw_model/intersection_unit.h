@@ -7,6 +7,7 @@
 #include "hw_model/message.h"
 #include "hw_model/plan/frame_setup.h"
 #include "hw_model/plan/tester_parts.h"
+#include "hw_model/record/work_sink.h"
 #include "hw_model/stage/stage_of.h"
 #include "intersect/corners_ahead.h"
 #include "intersect/datapath_formats.h"
@@ -35,6 +36,8 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   const ArithmeticEvents& events() const { return events_; }
   /// Takes corners that the host has traced before their time from there; none: traces all itself.
   void take_corners(CornersAhead* corners_ahead) { corners_ahead_ = corners_ahead; }
+  /// `sink` is told of every ray from now on.
+  void report_work_to(WorkSink& sink) { work_sink_ = &sink; }
 
  private:
   friend StageOf;
@@ -52,6 +55,8 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   Cycle fire(Ends& ends, const Plan& plan);
 
   Sample nearest_hit(const RayMessage& ray, Work& work);
+  /// The same, told to the sink.
+  Sample reported_hit(const RayMessage& ray, Work& work);
   /// What the shadow unit has to do for the newest sample.
   void add_shadows(SampleMessage& message);
 
@@ -61,6 +66,7 @@ class IntersectionUnit final : public StageOf<IntersectionUnit> {
   bool count_events_;
   bool casts_shadows_;
   CornersAhead* corners_ahead_ = nullptr;
+  WorkSink* work_sink_ = nullptr;
   Work work_;
   Cycle tests_ = 0;  ///< cost of all tests before the ray
   std::uint64_t shadow_rays_ = 0;

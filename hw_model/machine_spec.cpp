@@ -99,18 +99,21 @@ std::string MachineSpec::title() const {
   return overridden == 0 ? name : fmt::format("{} + {} setting{}", name, overridden, overridden == 1 ? "" : "s");
 }
 
-MachineSpec read_machine(const std::string& file, const nlohmann::json& document) {
+MachineSpec read_machine(const JsonReader& root) {
   MachineSpec spec;
-  const JsonReader root(file, document);
   refuse_former_keys(root);
   allow_paths(root, allowed_paths(), "");
-  spec.name = root.optional_string("name").value_or(std::filesystem::path(file).stem().string());
+  spec.name = root.optional_string("name").value_or(std::filesystem::path(root.file()).stem().string());
   const auto every_fifo = find(root, "fifos.all");
   for_each_setting(spec, [&](const std::string& path, auto& setting, const auto& allowed) {
     if (every_fifo && path.starts_with("fifos.")) setting = value(*every_fifo, setting, allowed);
     if (const auto node = find(root, path)) setting = value(*node, setting, allowed);
   });
   return spec;
+}
+
+MachineSpec read_machine(const std::string& file, const nlohmann::json& document) {
+  return read_machine(JsonReader(file, document));
 }
 
 MachineSpec load_machine(const std::optional<std::filesystem::path>& file, const std::vector<std::string>& overrides) {

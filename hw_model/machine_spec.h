@@ -15,6 +15,7 @@
 
 #include "hw_model/cycle.h"
 #include "intersect/work.h"
+#include "json/json_reader.h"
 #include "texture/texture_work.h"
 
 namespace pyrasim::hw {
@@ -131,6 +132,9 @@ constexpr std::size_t required_pool(int max_level) {
   return max_level < 2 ? 0 : 3 * (static_cast<std::size_t>(max_level) - 1) + 1;
 }
 
+/// Reads a machine, as a machine file says it; it has the name that it says, or its file's. Throws InputError with the
+/// JSON pointer.
+MachineSpec read_machine(const JsonReader& root);
 /// Reads a machine file's `document`; `file` is its name in messages. Throws InputError with the JSON pointer.
 MachineSpec read_machine(const std::string& file, const nlohmann::json& document);
 

@@ -87,6 +87,11 @@ void Processor::attach(EventSink& sink) {
   events_.attach(sink);
 }
 
+void Processor::attach(WorkSink& sink) {
+  for (const auto& unit : all<IntersectionUnit>()) unit->report_work_to(sink);
+  the<ColorUnit>().report_work_to(sink);
+}
+
 /// `progress`, heeded: the machine stops where it says so.
 Progress Processor::stopping(const Progress& progress) {
   if (!progress) return {};

@@ -11,6 +11,7 @@
 #include "hw_model/decoupled_engine.h"
 #include "hw_model/plan/stage_list.h"
 #include "hw_model/plan/wire_list.h"
+#include "hw_model/record/work_sink.h"
 #include "hw_model/run_control.h"
 #include "hw_model/simulation_options.h"
 #include "hw_model/trace/event_stream.h"
@@ -40,6 +41,8 @@ class Processor final : public sc_core::sc_module {
 
   /// `sink` takes the machine's events; before the simulation starts. It has to outlive it.
   void attach(EventSink& sink);
+  /// `sink` takes the work of rays and nodes, likewise; one of them.
+  void attach(WorkSink& sink);
   const EventStream& events() const { return events_; }
 
   /// Whether every pixel has been stored. If not once the simulation is over, the machine is deadlocked, or was stopped

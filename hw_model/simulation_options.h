@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "hw_model/cycle.h"
+#include "hw_model/record/recorded_textures.h"
 #include "intersect/datapath_formats.h"
 #include "intersect/intersector.h"
 #include "pyramid/terminal_color.h"
@@ -26,6 +27,8 @@ struct SimulationOptions {
   DatapathFormats formats;
   /// Of the scene in formats.intersection; none: the machine makes its own.
   std::shared_ptr<const Intersector> intersector;
+  /// Of a frame whose intersector is a RecordedScene: what its nodes took of textures. None: as the scene says.
+  std::shared_ptr<const RecordedTextures> textures;
   Cycle max_cycles = never;   ///< the machine stops once it cannot end within so many
   int threads = 1;            ///< of the host: from 2 on, one traces corners ahead for the decoupled engine
   CostMaps* maps = nullptr;   ///< of the window, to be filled; they outlive the machine

@@ -71,6 +71,16 @@ std::vector<BottleneckLink> bottleneck_chain(const Processor& processor) {
   return chain;
 }
 
+bool closes_loop(const std::vector<BottleneckLink>& chain) {
+  return std::any_of(chain.begin(), chain.end() - 1,
+                     [&](const BottleneckLink& link) { return link.unit == chain.back().unit; });
+}
+
+std::string cause_text(const std::vector<BottleneckLink>& chain) {
+  return fmt::format("{}{}, busy {:.1f} %", closes_loop(chain) ? "the latency of a loop through " : "",
+                     chain.back().unit, 100 * chain.back().busy);
+}
+
 std::string bottleneck_text(const std::vector<BottleneckLink>& chain) {
   std::string text;
   for (const BottleneckLink& link : chain) {

@@ -35,6 +35,10 @@ struct BottleneckLink {
 /// Where it comes back to a box instead, that box is repeated as the last link: the frame waits for the latency of that
 /// loop.
 std::vector<BottleneckLink> bottleneck_chain(const Processor& processor);
+/// Whether the chain's last box is one of those before: the frame waits for the latency of a loop through it.
+bool closes_loop(const std::vector<BottleneckLink>& chain);
+/// What the chain ends with: "intersection_units, busy 99.6 %", or "the latency of a loop through ...".
+std::string cause_text(const std::vector<BottleneckLink>& chain);
 /// "tree_accumulator busy 10.3 % <- starved by pyramid_classifier busy 15.7 % <- ..."
 std::string bottleneck_text(const std::vector<BottleneckLink>& chain);
 

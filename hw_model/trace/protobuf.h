@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "hw_model/record/varint.h"
+
 namespace pyrasim::hw {
 
 /// A message of Protocol Buffers, field by field (protobuf.dev, Encoding).
@@ -30,10 +32,7 @@ class Protobuf {
   void clear() { bytes_.clear(); }
 
  private:
-  void varint(std::uint64_t value) {
-    for (; value >= 0x80; value >>= 7U) bytes_ += static_cast<char>(value | 0x80);
-    bytes_ += static_cast<char>(value);
-  }
+  void varint(std::uint64_t value) { append_varint(bytes_, value); }
 
   std::string bytes_;
 };

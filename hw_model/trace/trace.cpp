@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hw_model/trace/trace.h"
 
+#include "hw_model/record/run_trace.h"
 #include "hw_model/trace/chrome_trace.h"
 #include "hw_model/trace/fst_trace.h"
 #include "hw_model/trace/gtkw_save.h"
@@ -13,8 +14,15 @@ namespace pyrasim::hw {
 namespace {
 
 template <class Kind>
-std::unique_ptr<Trace> make(Processor& processor, const TraceWindow& window, OutputFile& output) {
+std::unique_ptr<Trace> make(Processor& processor, const TraceWindow& window, const nlohmann::ordered_json& /*run*/,
+                            OutputFile& output) {
   return std::make_unique<Kind>(processor, window, output);
+}
+
+/// Of the whole frame, whatever the window.
+std::unique_ptr<Trace> make_run_trace(Processor& processor, const TraceWindow& /*window*/,
+                                      const nlohmann::ordered_json& run, OutputFile& output) {
+  return std::make_unique<RunTrace>(processor, run, output);
 }
 
 /// A writer, and the timeline that it is told.
@@ -33,11 +41,12 @@ class Written final : public Trace {
 
 }  // namespace
 
-const std::array<TraceFormat, 6> trace_formats{{{".vcd", true, make<VcdTrace>},
+const std::array<TraceFormat, 7> trace_formats{{{".vcd", true, make<VcdTrace>},
                                                 {".fst", true, make<FstTrace>},
                                                 {".pftrace", false, make<Written<PerfettoTrace>>},
                                                 {".json", false, make<Written<ChromeTrace>>},
                                                 {".kanata", false, make<KanataTrace>},
-                                                {".gtkw", false, make<GtkwSave>}}};
+                                                {".gtkw", false, make<GtkwSave>},
+                                                {".ptrace", false, make_run_trace}}};
 
 }  // namespace pyrasim::hw

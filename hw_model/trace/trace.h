@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string_view>
 
@@ -26,10 +27,12 @@ class Trace {
 struct TraceFormat {
   std::string_view ending;  ///< of files' names
   bool revises;             ///< what has been written may be overwritten, and is no file before it is complete
-  /// Of `processor`, whose simulation has not started; all outlive it.
-  std::unique_ptr<Trace> (*make)(Processor& processor, const TraceWindow& window, OutputFile& output);
+  /// Of `processor`, whose simulation has not started, and which outlives it as `output` does. `run` describes scene
+  /// and settings, for formats that say what was run.
+  std::unique_ptr<Trace> (*make)(Processor& processor, const TraceWindow& window, const nlohmann::ordered_json& run,
+                                 OutputFile& output);
 };
 
-extern const std::array<TraceFormat, 6> trace_formats;
+extern const std::array<TraceFormat, 7> trace_formats;
 
 }  // namespace pyrasim::hw

@@ -2,6 +2,7 @@
 // View vectors: formulas (2) to (5), on integer grid addresses (decision D8).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 
@@ -37,6 +38,13 @@ class ViewVectors {
     const double y = static_cast<double>(up) * half_step_y_;
     const double z = static_cast<double>(right) * half_step_z_;
     return {1, round_(y), round_(z)};
+  }
+
+  /// The point whose view vector is `view_vector`, where the format is double: there all differ.
+  GridPoint point_of(const glm::dvec3& view_vector) const {
+    const std::int64_t up = std::llrint(view_vector.y / half_step_y_);
+    const std::int64_t right = std::llrint(view_vector.z / half_step_z_);
+    return {static_cast<std::uint32_t>((rows_ - up) / 2), static_cast<std::uint32_t>((columns_ + right) / 2)};
   }
 
  private:

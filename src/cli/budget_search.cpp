@@ -105,11 +105,8 @@ hw::Cycle* interval_of(hw::MachineSpec& spec, const std::string& unit) {
 FrameOutcome simulate_frame(const BudgetFrame& frame, hw::Cycle max_cycles) {
   const Outcome outcome = outcome_of(frame, max_cycles);
   require_finished(outcome);
-  const std::vector<hw::BottleneckLink>& chain = outcome.bottleneck;
-  const hw::BottleneckLink& end = chain.back();
-  const bool closes_loop = std::any_of(chain.begin(), chain.end() - 1,
-                                       [&](const hw::BottleneckLink& link) { return link.unit == end.unit; });
-  return {outcome.cycles, end.busy, closes_loop, end.unit};
+  const hw::BottleneckLink& end = outcome.bottleneck.back();
+  return {outcome.cycles, end.busy, hw::closes_loop(outcome.bottleneck), end.unit};
 }
 
 BudgetFrame BudgetSetting::with(BudgetFrame frame, int value_of_it) const {

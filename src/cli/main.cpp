@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   cli::add_render_command(program);
   cli::add_simulate_command(program);
   cli::add_sweep_command(program);
+  cli::add_whatif_command(program);
   cli::add_budget_command(program);
   cli::add_study_command(program);
   cli::add_compare_command(program);

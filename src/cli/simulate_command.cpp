@@ -13,6 +13,7 @@
 #include "cli/statistics_document.h"
 #include "cli/trace_outputs.h"
 #include "run/interrupt.h"
+#include "run/run_document.h"
 #include "run/simulation.h"
 
 namespace pyrasim::cli {
@@ -49,11 +50,11 @@ struct SimulateCommand {
     Simulation simulation(asked, *scene,
                           {.threads = thread_count(threads),
                            .progress = progress_bar("simulating"),
-                           .maps = pictures_of_cost.begin(asked.rendered(), asked.max_level)});
+                           .maps = pictures_of_cost.begin(asked.rendered(), asked.max_level),
+                           .occupancies = statistics.has_value(),
+                           .critical_path = critical_path});
     const hw::Processor& processor = simulation.processor();
-    traces.begin(simulation.processor());
-    if (statistics) simulation.watch_occupancies();
-    if (critical_path) simulation.watch_critical_path();
+    traces.begin(simulation.processor(), run_document(asked, *scene));
     Outcome outcome;
     run_interruptibly(
         [&] {

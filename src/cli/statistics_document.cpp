@@ -5,6 +5,7 @@
 
 #include "hw_model/machine_settings.h"
 #include "image/image_hash.h"
+#include "numeric/arithmetic_events_json.h"
 #include "version.h"
 
 namespace pyrasim::cli {
@@ -74,14 +75,6 @@ void add_counts(ordered_json& document, const FrameStatistics& statistics, int m
   document["work"]["texture"] = {{"places", statistics.texture.places},
                                  {"lines", statistics.texture.lines},
                                  {"texels", statistics.texture.texels}};
-}
-
-ordered_json events_document(const ArithmeticEvents& events) {
-  return {{"saturations", events.saturations},
-          {"underflows", events.underflows},
-          {"inexact", events.inexact},
-          {"divisions_by_zero", events.divisions_by_zero},
-          {"invalid", events.invalid}};
 }
 
 /// The processor's own formats are not watched.

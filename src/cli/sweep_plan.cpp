@@ -5,69 +5,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "cli/command.h"
+#include "cli/setting_axes.h"
 #include "error.h"
 #include "pyramid/max_level.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
 namespace {
-
-struct Axis {
-  std::string path;
-  std::vector<std::string> values;
-};
-
-/// Where the JSON value at the beginning of `text` is over, at the latest: at the first comma that is in no text, array
-/// or object of it. What does not begin like one of these is a text up to the next comma.
-std::size_t end_of_value(std::string_view text) {
-  if (text.empty() || std::string_view("\"[{").find(text.front()) == std::string_view::npos) {
-    return std::min(text.find(','), text.size());
-  }
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const char c = text[k];
-    if (quoted && c == '\\') {
-      ++k;
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (!quoted) {
-      if (c == ',' && depth == 0) return k;
-      if (c == '[' || c == '{') ++depth;
-      if (c == ']' || c == '}') --depth;
-    }
-  }
-  return text.size();
-}
-
-std::vector<std::string> split_values(std::string_view text) {
-  std::vector<std::string> values;
-  for (;;) {
-    const std::size_t end = end_of_value(text);
-    values.emplace_back(text.substr(0, end));
-    if (end == text.size()) return values;
-    text.remove_prefix(end + 1);
-  }
-}
-
-Axis parse_axis(const std::string& assignment) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos) return {assignment, {}};
-  return {assignment.substr(0, equals), split_values(std::string_view(assignment).substr(equals + 1))};
-}
-
-std::vector<Axis> parse_axes(const std::vector<std::string>& assignments) {
-  std::vector<Axis> axes;
-  for (const std::string& assignment : assignments) {
-    Axis axis = parse_axis(assignment);
-    std::erase_if(axes, [&](const Axis& earlier) { return earlier.path == axis.path; });  // the last word counts
-    axes.push_back(std::move(axis));
-  }
-  return axes;
-}
 
 /// "0:5" or "0,2,3". Throws UsageError.
 std::vector<int> parse_levels(const std::string& text) {
@@ -110,28 +56,12 @@ std::vector<Screen> parse_sizes(const std::string& text, const Screen& screen) {
 }  // namespace
 
 MachineAxes::MachineAxes(const MachineOptions& options) {
-  std::vector<std::vector<std::string>> combinations(1);  // of assignments
-  std::vector<std::vector<std::string>> values(1);        // of the axes among them
-  for (const Axis& axis : parse_axes(options.overrides)) {
-    const bool several = axis.values.size() > 1;
-    if (several) paths.push_back(axis.path);
-    std::vector<std::vector<std::string>> longer;
-    std::vector<std::vector<std::string>> longer_values;
-    for (std::size_t k = 0; k < combinations.size(); ++k) {
-      for (const std::string& value : axis.values.empty() ? std::vector<std::string>{""} : axis.values) {
-        longer.push_back(combinations[k]);
-        longer.back().push_back(axis.values.empty() ? axis.path : axis.path + "=" + value);
-        longer_values.push_back(values[k]);
-        if (several) longer_values.back().push_back(value);
-      }
-    }
-    combinations.swap(longer);
-    values.swap(longer_values);
-  }
-  for (std::size_t k = 0; k < combinations.size(); ++k) {
+  SettingAxes axes(options.overrides);
+  paths = std::move(axes.paths);
+  for (auto& [assignments, values] : axes.combinations) {
     MachineOptions machine = options;
-    machine.overrides = combinations[k];
-    machines.push_back({machine.load(), values[k], fmt::format("{}", fmt::join(combinations[k], " "))});
+    machine.overrides = assignments;
+    machines.push_back({machine.load(), std::move(values), fmt::format("{}", fmt::join(assignments, " "))});
   }
 }
 

@@ -20,8 +20,7 @@ struct SweptMachine {
   std::string set;                  ///< what was set over the machine file, as "intersection.units=2 fifos.all=8"
 };
 
-/// The machines that --set asks for: where it gives a setting several values, separated by commas, each of them with
-/// each of the other settings'.
+/// The machines that --set asks for, as SettingAxes reads it.
 struct MachineAxes {
   std::vector<std::string> paths;  ///< of the settings with several values
   std::vector<SweptMachine> machines;

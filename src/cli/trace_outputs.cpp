@@ -66,9 +66,9 @@ void TraceOutputs::open() {
   for (const Asked& asked : asked_) outputs_.push_back(std::make_unique<RevisableOutput>(asked.file));
 }
 
-void TraceOutputs::begin(hw::Processor& processor) {
+void TraceOutputs::begin(hw::Processor& processor, const nlohmann::ordered_json& run) {
   for (std::size_t k = 0; k < asked_.size(); ++k) {
-    traces_.push_back(asked_[k].format->make(processor, window_, outputs_[k]->file()));
+    traces_.push_back(asked_[k].format->make(processor, window_, run, outputs_[k]->file()));
     if (!asked_[k].format->revises) outputs_[k]->publish();
   }
 }
@@ -88,10 +88,9 @@ void TraceOptions::add(const Command& command) {
   command
       .add_texts("--trace", files,
                  "what units and FIFOs do over time, may be given for several files: .vcd and .fst (GTKWave), .pftrace "
-                 "(Perfetto), "
-                 ".json (Chrome), .kanata (Konata: a row for each ray), .gtkw (how GTKWave shows .vcd and .fst); - for "
-                 "VCD on stdout")
-      .type_name("FILE.vcd|.fst|.pftrace|.json|.kanata|.gtkw|-");
+                 "(Perfetto), .json (Chrome), .kanata (Konata: a row for each ray), .gtkw (how GTKWave shows .vcd and .fst), "
+                 ".ptrace (for pyrasim whatif); - for VCD on stdout")
+      .type_name("FILE.vcd|.fst|.pftrace|.json|.kanata|.gtkw|.ptrace|-");
   command.add_integer("--trace-from", window.from, 0, hw::never - 1, "the first cycle that traces show")
       .type_name("CYCLE");
   command.add_integer("--trace-to", window.to, 1, hw::never - 1, "the cycle with which traces end").type_name("CYCLE");

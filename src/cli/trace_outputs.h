@@ -30,8 +30,9 @@ class TraceOutputs {
 
   /// Opens the files.
   void open();
-  /// Takes what happens in `processor`, whose simulation has not started, and which outlives this.
-  void begin(hw::Processor& processor);
+  /// Takes what happens in `processor`, whose simulation has not started, and which outlives this. `run` describes
+  /// scene and settings.
+  void begin(hw::Processor& processor, const nlohmann::ordered_json& run);
   /// Completes the files, of a frame that is over or was broken off after `cycles`.
   void finish(hw::Cycle cycles);
 

@@ -17,11 +17,17 @@ namespace {
 
 using nlohmann::json;
 
-[[noreturn]] void fail(std::string_view assignment, std::string_view wrong, std::string_view allowed) {
-  throw UsageError(fmt::format("--set {}: {}; {}", excerpt(assignment), wrong, allowed));
+/// As it stands on the command line, in messages.
+struct Assignment {
+  std::string_view option;
+  std::string_view text;
+};
+
+[[noreturn]] void fail(const Assignment& assignment, std::string_view wrong, std::string_view allowed) {
+  throw UsageError(fmt::format("{} {}: {}; {}", assignment.option, excerpt(assignment.text), wrong, allowed));
 }
 
-json parse_value(std::string_view assignment, std::string_view value) {
+json parse_value(const Assignment& assignment, std::string_view value) {
   constexpr std::string_view json_begins = "-0123456789[{\" \t";
   const bool literal = value == "true" || value == "false" || value == "null";
   if (value.empty()) fail(assignment, "the value is missing", "PATH=VALUE is allowed, and \"\" for an empty text");
@@ -34,7 +40,7 @@ json parse_value(std::string_view assignment, std::string_view value) {
 }
 
 /// What `key` selects inside `node`; a missing member is made, as null.
-json& step(json& node, std::string_view key, std::string_view assignment) {
+json& step(json& node, std::string_view key, const Assignment& assignment) {
   if (key.empty()) fail(assignment, "a key is empty", "PATH is keys separated by dots");
   if (node.is_null()) node = json::object();
   if (node.is_object()) return node[std::string(key)];
@@ -60,7 +66,7 @@ int depth_of(const json& value) {
 }
 
 /// Fails where the document would be nested too deeply for those who read it.
-void check_depth(std::string_view path, const json& value, std::string_view assignment) {
+void check_depth(std::string_view path, const json& value, const Assignment& assignment) {
   const auto levels = std::count(path.begin(), path.end(), '.') + 1 + depth_of(value);
   if (levels > max_json_depth) {
     fail(assignment, fmt::format("it is nested {} levels deep", levels),
@@ -70,11 +76,12 @@ void check_depth(std::string_view path, const json& value, std::string_view assi
 
 }  // namespace
 
-void apply_override(nlohmann::json& document, std::string_view assignment) {
-  const std::size_t equals = assignment.find('=');
+void apply_override(nlohmann::json& document, std::string_view text, std::string_view option) {
+  const Assignment assignment{option, text};
+  const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) fail(assignment, "there is no \"=\"", "PATH=VALUE is allowed");
-  json value = parse_value(assignment, assignment.substr(equals + 1));
-  std::string_view path = assignment.substr(0, equals);
+  json value = parse_value(assignment, text.substr(equals + 1));
+  std::string_view path = text.substr(0, equals);
   check_depth(path, value, assignment);
   json changed = document;  // a refused assignment leaves the document as it was
   json* node = &changed;

@@ -10,7 +10,10 @@ namespace {
 
 Job job_of(const Task& task, bool has_to_finish) {
   return [=](const Progress& progress) {
-    const HostOptions host{.intersector = task.intersector, .progress = progress};
+    const HostOptions host{.intersector = task.intersector,
+                           .progress = progress,
+                           .textures = task.textures,
+                           .occupancies = task.occupancies};
     const Outcome outcome = simulate(task.run, *task.scene, host, task.measure);
     if (has_to_finish) require_finished(outcome);
     return pack(outcome).dump();

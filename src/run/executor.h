@@ -19,8 +19,10 @@ namespace pyrasim {
 struct Task {
   Run run;
   std::shared_ptr<const Scene> scene;
-  std::shared_ptr<const Intersector> intersector = {};  ///< as in HostOptions
-  Measure measure = {};                                 ///< may be empty
+  std::shared_ptr<const Intersector> intersector = {};        ///< as in HostOptions
+  Measure measure = {};                                       ///< may be empty
+  std::shared_ptr<const hw::RecordedTextures> textures = {};  ///< as in HostOptions
+  bool occupancies = false;                                   ///< as in HostOptions
 };
 
 /// A list of runs, numbered from 0, and what becomes of their outcomes.

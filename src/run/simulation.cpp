@@ -28,6 +28,7 @@ hw::SimulationOptions options_of(const Run& run, const HostOptions& host,
   options.threads = host.threads;
   options.progress = host.progress;
   options.maps = host.maps;
+  options.textures = host.textures;
   return options;
 }
 
@@ -38,7 +39,10 @@ Simulation::Simulation(const Run& run, const Scene& scene, const HostOptions& ho
 
 Simulation::Simulation(const Run& run, const Scene& seen, const HostOptions& host, Seen)
     : intersector_(host.intersector ? host.intersector : make_intersector(seen, run.formats.intersection)),
-      processor_("processor", seen, run.machine, options_of(run, host, intersector_)) {}
+      processor_("processor", seen, run.machine, options_of(run, host, intersector_)) {
+  if (host.occupancies) occupancies_.emplace(processor_);
+  if (host.critical_path) processor_.attach(critical_path_.emplace(processor_));
+}
 
 Outcome Simulation::run() {
   using Clock = std::chrono::steady_clock;

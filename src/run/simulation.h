@@ -20,6 +20,10 @@ struct HostOptions {
   int threads = 1;                                      ///< from 2 on, one traces ahead for the machine
   Progress progress = {};
   CostMaps* maps = nullptr;  ///< of what the run renders, to be filled
+  /// As in hw::SimulationOptions.
+  std::shared_ptr<const hw::RecordedTextures> textures = {};
+  bool occupancies = false;    ///< the outcome says how full FIFOs were over time
+  bool critical_path = false;  ///< and what the frame's time was owed to; costs as much as a trace
 };
 
 /// A run in this process, in which there can be one: SystemC elaborates once a process. Throws as hw::Processor does.
@@ -32,10 +36,6 @@ class Simulation {
   hw::Processor& processor() { return processor_; }
   const Image& image() const { return processor_.image(); }
   const Intersector& intersector() const { return *intersector_; }
-  /// The outcome will say how full FIFOs were over time. Before run().
-  void watch_occupancies() { occupancies_.emplace(processor_); }
-  /// The outcome will say what the frame's time was owed to; costs as much as a trace. Before run().
-  void watch_critical_path() { processor_.attach(critical_path_.emplace(processor_)); }
   /// Throws as run_simulation() does.
   Outcome run();
 

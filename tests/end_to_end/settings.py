@@ -166,4 +166,5 @@ class Settings(tool.EndToEnd):
         self.refused(tool.USAGE, "simulate", self.write("scene.json", SCENE), "--set", "frame_buffer.latency=3", says=says)
 
 
-tool.main()
+if __name__ == "__main__":
+    tool.main()

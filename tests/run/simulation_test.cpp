@@ -59,8 +59,7 @@ TEST(Simulation, IsTheSameInAProcessOfItsOwn) {
 
 TEST(Simulation, WatchesOccupancies) {
   const SmallFrame frame;
-  Simulation simulation(frame.run, *frame.scene, {});
-  simulation.watch_occupancies();
+  Simulation simulation(frame.run, *frame.scene, {.occupancies = true});
   const Outcome outcome = simulation.run();
   for (const FifoAccount& fifo : outcome.fifos) {
     EXPECT_EQ(fifo.occupancy.tokens.size(), (outcome.cycles + fifo.occupancy.stride - 1) / fifo.occupancy.stride);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "hw_model/record/chunk_writer.h"
+
+namespace pyrasim::hw {
+
+struct Chunk {
+  ChunkType type;
+  std::string content;  ///< as it was given to ChunkWriter
+};
+
+/// Reads what ChunkWriter writes, up to the last whole chunk of a file that was broken off.
+class ChunkReader {
+ public:
+  /// Throws InputError where `file` cannot be read, or is no such file.
+  explicit ChunkReader(const std::filesystem::path& file);
+
+  /// The next chunk; none where no whole one is left. Throws InputError for one that is damaged.
+  std::optional<Chunk> next();
+
+ private:
+  [[noreturn]] void fail_damaged() const;
+
+  std::string name_;
+  std::string bytes_;
+  std::string_view rest_;
+};
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "camera/view_vector.h"
+#include "hw_model/record/point_index.h"
+#include "hw_model/record/ray_columns.h"
+#include "hw_model/record/work_table.h"
+#include "intersect/intersector.h"
+
+namespace pyrasim::hw {
+
+/// A scene of which nothing is there but what the rays of one frame saw and took. It answers these rays alone, and says
+/// what they saw but not how bright that was.
+class RecordedScene final : public Intersector {
+ public:
+  /// `rays`: rows of RayColumns. `view_vectors`: the frame's in double, in which all rays differ.
+  RecordedScene(const SceneContents& contents, const ViewVectors& view_vectors, WorkTable rays);
+
+  /// Throws InputError for a ray that is not recorded.
+  Sample intersect(const glm::dvec3& view_vector, Work& work) const override;
+  SceneContents contents() const override { return contents_; }
+
+  bool knows(GridPoint point) const { return index_.find(point).has_value(); }
+
+ private:
+  SceneContents contents_;
+  ViewVectors view_vectors_;
+  RayColumns columns_;
+  WorkTable rays_;
+  PointIndex index_;  ///< rows of rays_
+};
+
+}  // namespace pyrasim::hw

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/recorded_run.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "error.h"
+#include "hw_model/record/chunk_reader.h"
+#include "hw_model/record/recorded_scene.h"
+#include "json/json_file.h"
+#include "run/run_document.h"
+
+namespace pyrasim {
+namespace {
+
+constexpr IntegerRange count{0};
+
+std::size_t size_of(const JsonReader& reader) { return static_cast<std::size_t>(reader.integer(count)); }
+
+SceneContents read_contents(const JsonReader& reader) {
+  SceneContents contents;
+  const JsonReader surfaces = reader.member("surfaces");
+  for (std::size_t kind = 0; kind < surface_kinds; ++kind) {
+    contents.surfaces[kind] = size_of(surfaces.member(surface_traits[kind].name));
+  }
+  contents.inner_nodes = size_of(reader.member("inner_nodes"));
+  contents.shadow_inner_nodes = size_of(reader.member("shadow_inner_nodes"));
+  contents.lights_with_shadows =
+      static_cast<std::size_t>(reader.member("lights_with_shadows").integer({0, max_shadow_lights}));
+  return contents;
+}
+
+ArithmeticEvents read_events(const JsonReader& reader) {
+  const auto number = [&](const char* key) { return static_cast<std::uint64_t>(reader.member(key).integer(count)); };
+  return {number("saturations"), number("underflows"), number("inexact"), number("divisions_by_zero"),
+          number("invalid")};
+}
+
+std::vector<std::string> read_names(const JsonReader& reader) {
+  std::vector<std::string> names;
+  for (const JsonReader& name : reader.elements()) names.push_back(name.string());
+  return names;
+}
+
+[[noreturn]] void fail_damaged(const std::string& name) {
+  throw InputError(fmt::format("{}: a chunk of it is damaged; it has to be as simulate wrote it", name));
+}
+
+/// A file's content, as far as it is there.
+struct Content {
+  nlohmann::json header;
+  SceneContents contents;
+  hw::WorkTable rays;
+  hw::WorkTable nodes{hw::NodeColumns::size};
+  nlohmann::json end;  ///< null: it was broken off
+};
+
+Content read(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  hw::ChunkReader chunks(file);
+  const auto first = chunks.next();
+  if (!first || first->type != hw::ChunkType::header) {
+    throw InputError(fmt::format("{}: it has no header; it has to be as simulate wrote it", name));
+  }
+  Content content{parse_json(first->content, name), {}, hw::WorkTable(1)};
+  const JsonReader header(name, content.header);
+  content.contents = read_contents(header.member("contents"));
+  const hw::RayColumns columns(content.contents);
+  const JsonReader names = header.member("columns");
+  if (read_names(names.member("rays")) != columns.names() ||
+      read_names(names.member("nodes")) != hw::NodeColumns::names()) {
+    names.fail("they are those of another version", "a file of this version's simulate is allowed");
+  }
+  content.rays = hw::WorkTable(columns.size());
+  while (const auto chunk = chunks.next()) {
+    if (chunk->type == hw::ChunkType::end) content.end = parse_json(chunk->content, name);
+    const bool rays = chunk->type == hw::ChunkType::rays;
+    if (!rays && chunk->type != hw::ChunkType::nodes) continue;
+    if (!(rays ? content.rays : content.nodes).add_packed(chunk->content)) {
+      fail_damaged(name);
+    }
+  }
+  return content;
+}
+
+/// As many as there were, without what they are.
+std::shared_ptr<const Scene> scene_of(const JsonReader& run) {
+  Scene scene;
+  for (const std::string& name : read_names(run.member("objects"))) scene.objects.push_back({name, {}, {}});
+  return std::make_shared<const Scene>(std::move(scene));
+}
+
+void require_whole(const std::string& name, const Content& content) {
+  if (!content.end.is_null() && JsonReader(name, content.end).member("complete").boolean()) return;
+  throw InputError(fmt::format("{}: the run was broken off, {} rays are recorded; a trace of a whole frame is needed",
+                               name, content.rays.rows()));
+}
+
+/// No ray saw one that is not there.
+void require_objects(const std::string& name, const hw::WorkTable& rays, std::size_t objects) {
+  for (std::size_t k = 0; k < rays.rows(); ++k) {
+    if (hw::RayColumns::object(rays.row(k)) > objects) fail_damaged(name);
+  }
+}
+
+}  // namespace
+
+RecordedRun load_recorded_run(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  Content content = read(file);
+  require_whole(name, content);
+  const JsonReader header(name, content.header);
+  const JsonReader end(name, content.end);
+  if (size_of(end.member("rays")) != content.rays.rows() || size_of(end.member("nodes")) != content.nodes.rows()) {
+    end.fail("rays or nodes are missing", "the file has to be as simulate wrote it");
+  }
+  RecordedRun recorded;
+  const JsonReader run = header.member("run");
+  recorded.run = read_run(run);
+  recorded.cycles = static_cast<hw::Cycle>(end.member("cycles").integer(count));
+  recorded.image_sha256 = end.member("image_sha256").string();
+  const JsonReader arithmetic = end.member("arithmetic");
+  recorded.arithmetic = {read_events(arithmetic.member("view_vectors")),
+                         read_events(arithmetic.member("intersection"))};
+  recorded.scene = scene_of(run);
+  require_objects(name, content.rays, recorded.scene->objects.size());
+  const std::size_t textured = size_of(run.member("textured_objects"));
+  if (textured > 0)
+    recorded.textures = std::make_shared<const hw::RecordedTextures>(textured, std::move(content.nodes));
+  recorded.intersector = std::make_shared<const hw::RecordedScene>(
+      content.contents, ViewVectors(recorded.run.screen, std::int64_t{1} << recorded.run.max_level),
+      std::move(content.rays));
+  return recorded;
+}
+
+Task RecordedRun::on(const hw::MachineSpec& machine) const {
+  Task task{run, scene, intersector};
+  task.textures = textures;
+  task.run.machine = machine;
+  task.run.formats = {};  // what rays saw is known
+  task.measure = [sha256 = image_sha256, events = arithmetic](const Simulation&, Outcome& outcome) {
+    outcome.image_sha256 = sha256;
+    outcome.counts.arithmetic = events;
+  };
+  return task;
+}
+
+}  // namespace pyrasim
