@@ -32,18 +32,26 @@ std::vector<StagePart> ColorUnit::parts() const {
   return {{"texture", need, cost_of(work_, texture_cost_)}};
 }
 
+inline FixedColor ColorUnit::color_of(const TerminalMessage& node, TextureWork& work) const {
+  return palette_.terminal_color(node.which, node.corners, edge_policy_, node.cell, work);
+}
+
+[[gnu::noinline]] FixedColor ColorUnit::textured_color(const TerminalMessage& node, TextureWork& work) const {
+  FixedColor color{};
+  if (recorded_textures_) {
+    work = recorded_textures_->work(node.cell);
+  } else {
+    color = color_of(node, work);
+  }
+  if (work_sink_ != nullptr) work_sink_->node(node.cell, work);
+  return color;
+}
+
 Cycle ColorUnit::fire(Ends& ends, const Plan& plan) {
   const Cycle now = plan.start.at();
   const TerminalMessage& node = ends.pyramid_classifier.front();
   TextureWork work;
-  FixedColor color{};
-  if (recorded_textures_) [[unlikely]] {
-    work = recorded_textures_->work(node.cell);
-  } else {
-    color = palette_.terminal_color(node.which, node.corners, edge_policy_, node.cell, work);
-  }
-  if (work_sink_ != nullptr) [[unlikely]]
-    work_sink_->node(node.cell, work);
+  const FixedColor color = textured_objects_ == 0 ? color_of(node, work) : textured_color(node, work);
   const Cycle cost = cost_of(work, texture_cost_);
   work_ += work;
   ends.tree_accumulator.write_made(

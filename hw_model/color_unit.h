@@ -26,7 +26,7 @@ class ColorUnit final : public StageOf<ColorUnit> {
   const TextureWork& work() const { return work_; }
   std::vector<StagePart> parts() const;
   /// `sink` is told of every node from now on, in scenes with textures.
-  void report_work_to(WorkSink& sink) { work_sink_ = textured_objects_ > 0 ? &sink : nullptr; }
+  void report_work_to(WorkSink& sink) { work_sink_ = &sink; }
 
  private:
   friend StageOf;
@@ -42,6 +42,9 @@ class ColorUnit final : public StageOf<ColorUnit> {
     return {Start(ready).needs_token(ends.pyramid_classifier).needs_room(ends.tree_accumulator)};
   }
   Cycle fire(Ends& ends, const Plan& plan);
+  FixedColor color_of(const TerminalMessage& node, TextureWork& work) const;
+  /// The same in a scene with textures, recorded or to be.
+  FixedColor textured_color(const TerminalMessage& node, TextureWork& work) const;
 
   StageTiming timing_;
   Palette palette_;
