@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "hw_model/record/recorded_textures.h"
+
 namespace pyrasim::hw {
 namespace {
 

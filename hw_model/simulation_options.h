@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "hw_model/cycle.h"
-#include "hw_model/record/recorded_textures.h"
 #include "intersect/datapath_formats.h"
 #include "intersect/intersector.h"
 #include "pyramid/terminal_color.h"
@@ -13,6 +12,8 @@
 #include "render/parallel.h"
 
 namespace pyrasim::hw {
+
+class RecordedTextures;
 
 enum class Engine : std::uint8_t {
   decoupled,  ///< stages run ahead in their own time; fast

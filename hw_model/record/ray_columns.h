@@ -22,7 +22,6 @@ class RayColumns {
   std::size_t size() const { return names_.size(); }
   void write(std::uint32_t* row, GridPoint point, const Seen& seen, const Work& work) const;
 
-  static GridPoint point(const std::uint32_t* row) { return {row[0], row[1]}; }
   /// Counted from 1; 0: none.
   static std::uint32_t object(const std::uint32_t* row) { return row[2]; }
   /// Adds the row's work to `work`.
@@ -44,7 +43,6 @@ struct NodeColumns {
   static std::vector<std::string> names() { return {"row", "column", "log2_side", "places", "lines", "texels"}; }
   static constexpr std::size_t size = 6;
   static void write(std::uint32_t* row, const Cell& cell, const TextureWork& work);
-  static GridPoint corner(const std::uint32_t* row) { return {row[0], row[1]}; }
   static TextureWork read(const std::uint32_t* row) { return {row[3], row[4], row[5]}; }
 };
 

@@ -4,9 +4,8 @@
 #include <string>
 
 #include "camera/view_vector.h"
-#include "hw_model/record/point_index.h"
+#include "hw_model/record/point_table.h"
 #include "hw_model/record/ray_columns.h"
-#include "hw_model/record/work_table.h"
 #include "intersect/intersector.h"
 
 namespace pyrasim::hw {
@@ -16,20 +15,17 @@ namespace pyrasim::hw {
 class RecordedScene final : public Intersector {
  public:
   /// `rays`: rows of RayColumns. `view_vectors`: the frame's in double, in which all rays differ.
-  RecordedScene(const SceneContents& contents, const ViewVectors& view_vectors, WorkTable rays);
+  RecordedScene(const SceneContents& contents, const ViewVectors& view_vectors, PointTable rays);
 
   /// Throws InputError for a ray that is not recorded.
   Sample intersect(const glm::dvec3& view_vector, Work& work) const override;
   SceneContents contents() const override { return contents_; }
 
-  bool knows(GridPoint point) const { return index_.find(point).has_value(); }
-
  private:
   SceneContents contents_;
   ViewVectors view_vectors_;
   RayColumns columns_;
-  WorkTable rays_;
-  PointIndex index_;  ///< rows of rays_
+  PointTable rays_;
 };
 
 }  // namespace pyrasim::hw

@@ -52,7 +52,7 @@ std::vector<std::string> read_names(const JsonReader& reader) {
 struct Content {
   nlohmann::json header;
   SceneContents contents;
-  hw::WorkTable rays;
+  hw::WorkTable rays{1};
   hw::WorkTable nodes{hw::NodeColumns::size};
   nlohmann::json end;  ///< null: it was broken off
 };
@@ -64,7 +64,8 @@ Content read(const std::filesystem::path& file) {
   if (!first || first->type != hw::ChunkType::header) {
     throw InputError(fmt::format("{}: it has no header; it has to be as simulate wrote it", name));
   }
-  Content content{parse_json(first->content, name), {}, hw::WorkTable(1)};
+  Content content;
+  content.header = parse_json(first->content, name);
   const JsonReader header(name, content.header);
   content.contents = read_contents(header.member("contents"));
   const hw::RayColumns columns(content.contents);
@@ -127,11 +128,15 @@ RecordedRun load_recorded_run(const std::filesystem::path& file) {
   recorded.scene = scene_of(run);
   require_objects(name, content.rays, recorded.scene->objects.size());
   const std::size_t textured = size_of(run.member("textured_objects"));
-  if (textured > 0)
-    recorded.textures = std::make_shared<const hw::RecordedTextures>(textured, std::move(content.nodes));
+  const auto points = [&run = recorded.run](const hw::WorkTable& rows) {
+    return hw::PointTable(rows, run.rendered(), run.max_level);
+  };
+  if (textured > 0) {
+    recorded.textures = std::make_shared<const hw::RecordedTextures>(textured, points(content.nodes));
+  }
   recorded.intersector = std::make_shared<const hw::RecordedScene>(
       content.contents, ViewVectors(recorded.run.screen, std::int64_t{1} << recorded.run.max_level),
-      std::move(content.rays));
+      points(content.rays));
   return recorded;
 }
 
