@@ -192,6 +192,13 @@ std::pair<int, int> Processor::place_of(std::uint32_t pixel) const {
   return {window_.row + static_cast<int>(pixel / columns), window_.column + static_cast<int>(pixel % columns)};
 }
 
+std::optional<std::uint32_t> Processor::pixel_at(int row, int column) const {
+  const int down = row - window_.row;
+  const int right = column - window_.column;
+  if (down < 0 || down >= window_.rows || right < 0 || right >= window_.columns) return std::nullopt;
+  return static_cast<std::uint32_t>(down * window_.columns + right);
+}
+
 bool Processor::at_rest() const {
   return std::none_of(stages_.begin(), stages_.end(), [](Stage* stage) { return stage->next_start().known(); });
 }

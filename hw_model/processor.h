@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -69,6 +70,8 @@ class Processor final : public sc_core::sc_module {
   const Wire& wire_of(const FifoBase& fifo) const;
   /// Row and column on the screen of a pixel that is numbered inside the window.
   std::pair<int, int> place_of(std::uint32_t pixel) const;
+  /// The number inside the window of the pixel at a place on the screen; none where that is not rendered.
+  std::optional<std::uint32_t> pixel_at(int row, int column) const;
   int max_level() const { return the<PyramidClassifier>().max_level(); }
   const TreeAccumulator& tree_accumulator() const { return the<TreeAccumulator>(); }
   const SceneContents& contents() const { return contents_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hw_model/report/critical_path.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -161,6 +163,17 @@ std::vector<PathShare> CriticalPath::shares() const {
 
 std::string place_name(const Processor& processor, Owed owed, std::size_t place) {
   return owed == Owed::room ? processor.fifos()[place]->basename() : processor.stages()[place]->basename();
+}
+
+std::string owed_text(std::string_view owed, std::string_view place) {
+  if (owed == owed_names[static_cast<std::size_t>(Owed::occupied)]) return fmt::format("{} {}", place, owed);
+  const bool room = owed == owed_names[static_cast<std::size_t>(Owed::room)];
+  return fmt::format("{} {} {}", owed, room ? "in" : "of", place);
+}
+
+std::string text_of(const Processor& processor, const PathStretch& stretch) {
+  return owed_text(owed_names[static_cast<std::size_t>(stretch.owed)],
+                   place_name(processor, stretch.owed, stretch.place));
 }
 
 }  // namespace pyrasim::hw

@@ -121,4 +121,8 @@ class CriticalPath final : public EventSink {
 /// "intersection_unit_3", or the name of the FIFO.
 std::string place_name(const Processor& processor, Owed owed, std::size_t place);
 
+/// "intersection_unit_3 occupied", "latency of intersection_unit_3".
+std::string owed_text(std::string_view owed, std::string_view place);
+std::string text_of(const Processor& processor, const PathStretch& stretch);
+
 }  // namespace pyrasim::hw

@@ -18,11 +18,15 @@ class ChromeTrace final : public TraceWriter {
 
   void span(const Span& span) override;
   void fill(std::size_t fifo, Cycle at, std::size_t tokens) override;
+  void stretch(const PathStretch& stretch) override;
   void finish(Cycle cycles) override;
 
  private:
+  void name_thread(std::size_t number, std::string_view name);
+
   const Processor& processor_;
   OutputFile& output_;
+  bool path_is_named_ = false;
 };
 
 }  // namespace pyrasim::hw

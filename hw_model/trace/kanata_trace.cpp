@@ -9,12 +9,14 @@
 namespace pyrasim::hw {
 
 KanataTrace::KanataTrace(Processor& processor, const TraceWindow& window, OutputFile& output)
-    : processor_(processor), window_(window), output_(output) {
+    : WindowedSink(processor, window), processor_(processor), window_(window), output_(output) {
   const auto& stages = processor.stages();
   for (std::size_t k = 0; k < stages.size(); ++k) {
     names_.emplace_back(stages[k]->basename());
     if (stages[k]->box() == box_of<ViewVectorGenerator>()) generator_ = k;
     if (stages[k]->box() == box_of<PyramidClassifier>()) classifier_ = k;
+    if (stages[k]->box() == box_of<SubdivisionController>()) controller_ = k;
+    if (stages[k]->box() == box_of<FrameBuffer>()) frame_buffer_ = k;
   }
   for (std::size_t k = 0; k < processor.fifos().size(); ++k) {
     const Wire& wire = processor.wires()[k];
@@ -27,12 +29,13 @@ KanataTrace::KanataTrace(Processor& processor, const TraceWindow& window, Output
   processor.attach(*this);
 }
 
-void KanataTrace::take(const Event& event) {
+void KanataTrace::take_shown(const Event& event) {
   write_before(event.at);
   window_.end_if_full(output_.size(), event.at);
-  if (event.subject.ray == no_number) return;
   if (event.kind == Event::Kind::firing) {
     take_firing(event);
+  } else if (event.subject.is_node()) {
+    if (event.kind == Event::Kind::write) take_node(event);
   } else if (readers_[event.source] == nowhere) {
     return;
   } else if (event.kind == Event::Kind::write) {
@@ -44,15 +47,42 @@ void KanataTrace::take(const Event& event) {
 
 /// A row begins where the generator fires, and ends with the firing of the classifier that takes its sample.
 void KanataTrace::take_firing(const Event& event) {
-  if (event.source == classifier_) go(event.subject.ray, event.until, nowhere);
-  if (event.source != generator_ || event.at < window_.from || event.at >= window_.to) return;
+  if (event.source == frame_buffer_) completed_.erase(event.subject.pixel);
+  if (event.source == classifier_) {
+    classified_ = event.subject.ray;
+    go(classified_, event.until, nowhere);
+  }
+  if (event.source == generator_ && event.at >= window_.from && event.at < window_.to)
+    begin_row(event.subject, event.at);
+}
+
+/// On its way from the classifier to the controller, or from there as a request.
+void KanataTrace::take_node(const Event& event) {
+  const Subject& node = event.subject;
+  if (readers_[event.source] == controller_) {
+    const auto row = rows_.find(classified_);
+    if (row != rows_.end()) completed_[node.pixel].push_back({node.point, node.log2_side, row->second.number});
+  } else if (readers_[event.source] == generator_) {
+    const auto completed = completed_.find(node.pixel);
+    if (completed == completed_.end()) return;
+    for (Completed& its : completed->second) {
+      if (its.corner == node.point && its.log2_side == node.log2_side) its.request = node.request;
+    }
+  }
+}
+
+void KanataTrace::begin_row(const Subject& ray, Cycle at) {
   const std::uint64_t row = rows_begun_++;
-  write_date(event.at);
-  output_.write(
-      fmt::format("I\t{0}\t{1}\t0\nL\t{0}\t0\tray {1}{2}\n", row, event.subject.ray,
-                  event.subject.request == no_number ? "" : fmt::format(" of request {}", event.subject.request)));
-  rows_.emplace(event.subject.ray, Row{row, nowhere});
-  write({event.at, 0, event.subject.ray, generator_});
+  write_date(at);
+  const std::string of = ray.request == no_number ? "" : fmt::format(" of request {}", ray.request);
+  output_.write(fmt::format("I\t{0}\t{1}\t0\nL\t{0}\t0\tray {1}{2}\n", row, ray.ray, of));
+  rows_.emplace(ray.ray, Row{row, nowhere});
+  write({at, 0, ray.ray, generator_});
+  const auto completed = completed_.find(ray.pixel);
+  if (ray.request == no_number || completed == completed_.end()) return;
+  for (const Completed& node : completed->second) {
+    if (node.request == ray.request) output_.write(fmt::format("W\t{}\t{}\t0\n", row, node.row));
+  }
 }
 
 void KanataTrace::go(std::uint64_t ray, Cycle at, std::size_t place) {
@@ -70,14 +100,14 @@ void KanataTrace::write(const Item& item) {
   write_date(item.at);
   leave(row);
   row.place = item.place;
-  if (shows(row.place)) output_.write(fmt::format("S\t{}\t0\t{}\n", row.number, names_[row.place]));
+  if (shows(row.place)) output_.write(fmt::format("S\t{}\t{}\t{}\n", row.number, lane(row.place), names_[row.place]));
   if (item.place != nowhere) return;
   output_.write(fmt::format("R\t{}\t{}\t0\n", row.number, rows_ended_++));
   rows_.erase(found);
 }
 
 void KanataTrace::leave(const Row& row) {
-  if (shows(row.place)) output_.write(fmt::format("E\t{}\t0\t{}\n", row.number, names_[row.place]));
+  if (shows(row.place)) output_.write(fmt::format("E\t{}\t{}\t{}\n", row.number, lane(row.place), names_[row.place]));
 }
 
 void KanataTrace::write_date(Cycle at) {

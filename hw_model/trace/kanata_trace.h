@@ -10,25 +10,27 @@
 #include <unordered_map>
 #include <vector>
 
-#include "hw_model/trace/event.h"
 #include "hw_model/trace/trace.h"
+#include "hw_model/trace/windowed_sink.h"
 
 namespace pyrasim::hw {
 
 /// Writes the log of rays that the pipeline viewer Konata opens (Kanata 0004): a row for each ray, from its view vector
-/// to its classification; where it is in each cycle, by the names of units and of FIFOs in which it waits.
+/// to its classification; where it is in each cycle, by the names of units, and on a lane of their own of FIFOs in
+/// which it waits; and an arrow to each of a request's rays from the ray that completed the node that it splits.
 ///
 /// A ray is in a unit from the firing that takes it to the cycle in which the next one could; a row begins in the
 /// window. The units that the window leaves out leave gaps.
-class KanataTrace final : public Trace, public EventSink {
+class KanataTrace final : public Trace, public WindowedSink {
  public:
   KanataTrace(Processor& processor, const TraceWindow& window, OutputFile& output);
 
-  void take(const Event& event) override;
   void finish(Cycle cycles) override;
   std::optional<Cycle> full() const override { return window_.full; }
 
  private:
+  void take_shown(const Event& event) override;
+
   /// Where a ray goes, at a date that may lie ahead.
   struct Item {
     Cycle at;
@@ -41,14 +43,25 @@ class KanataTrace final : public Trace, public EventSink {
     std::uint64_t number;  ///< in the file
     std::size_t place;
   };
+  /// A node whose last corner is known.
+  struct Completed {
+    GridPoint corner;
+    std::uint32_t log2_side;
+    std::uint64_t row;                  ///< of the ray through that corner
+    std::uint64_t request = no_number;  ///< that splits it
+  };
   static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
   void take_firing(const Event& event);
+  void take_node(const Event& event);
+  void begin_row(const Subject& ray, Cycle at);
   void go(std::uint64_t ray, Cycle at, std::size_t place);
   void write_before(Cycle date);
   void write(const Item& item);
   void write_date(Cycle at);
   void leave(const Row& row);
+  /// Of waits there is one of their own.
+  int lane(std::size_t place) const { return place < processor_.stages().size() ? 0 : 1; }
   bool shows(std::size_t place) const { return place != nowhere && shown_[place]; }
 
   const Processor& processor_;
@@ -56,8 +69,10 @@ class KanataTrace final : public Trace, public EventSink {
   OutputFile& output_;
   std::vector<std::string> names_;  ///< of stages, then of FIFOs
   std::vector<bool> shown_;
-  std::vector<std::size_t> readers_;            ///< of FIFOs that rays go through: a stage; nowhere of others
-  std::size_t generator_ = 0, classifier_ = 0;  ///< among the stages
+  std::vector<std::size_t> readers_;  ///< of FIFOs that rays go through: a stage; nowhere of others
+  std::size_t generator_ = 0, classifier_ = 0, controller_ = nowhere, frame_buffer_ = 0;  ///< among the stages
+  std::unordered_map<std::uint32_t, std::vector<Completed>> completed_;  ///< that may be split, by pixel
+  std::uint64_t classified_ = no_number;                                 ///< the newest ray
   std::priority_queue<Item, std::vector<Item>, std::greater<>> agenda_;
   std::unordered_map<std::uint64_t, Row> rows_;  ///< of rays under way
   std::uint64_t order_ = 0;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "version.h"
 
 namespace pyrasim::hw {
@@ -26,7 +28,7 @@ namespace counter {
 constexpr unsigned unit = 3;
 }
 namespace event {
-constexpr unsigned annotation = 4, type = 9, name_number = 10, track = 11, counter_value = 30, flow = 47;
+constexpr unsigned annotation = 4, type = 9, name_number = 10, track = 11, name = 23, counter_value = 30, flow = 47;
 }
 namespace annotation {
 constexpr unsigned name_number = 1, number = 3;
@@ -143,6 +145,16 @@ void PerfettoTrace::span(const Span& span) {
   write_event(span.begin);
   begin_event(slice_end, track_of_unit(span.unit));
   write_event(span.end);
+}
+
+void PerfettoTrace::stretch(const PathStretch& stretch) {
+  const std::uint64_t track = track_of_fifo(processor_.fifos().size());
+  if (!std::exchange(path_is_named_, true)) write_track(track, "critical path", false);
+  begin_event(slice_begin, track);
+  event_.text(event::name, text_of(processor_, stretch));
+  write_event(stretch.begin);
+  begin_event(slice_end, track);
+  write_event(stretch.end);
 }
 
 void PerfettoTrace::fill(std::size_t fifo, Cycle at, std::size_t tokens) {

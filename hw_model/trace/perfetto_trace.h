@@ -20,6 +20,7 @@ class PerfettoTrace final : public TraceWriter {
 
   void span(const Span& span) override;
   void fill(std::size_t fifo, Cycle at, std::size_t tokens) override;
+  void stretch(const PathStretch& stretch) override;
   void finish(Cycle) override {}
 
  private:
@@ -32,6 +33,7 @@ class PerfettoTrace final : public TraceWriter {
 
   const Processor& processor_;
   OutputFile& output_;
+  bool path_is_named_ = false;
   Protobuf packet_, event_;  ///< that are being made; kept so that they need no memory each
   Protobuf framed_;
 };

@@ -6,10 +6,20 @@
 namespace pyrasim::hw {
 
 Timeline::Timeline(Processor& processor, const TraceWindow& window, TraceWriter& writer, const OutputFile& output)
-    : window_(window), writer_(writer), output_(output) {
+    : WindowedSink(processor, window), window_(window), writer_(writer), output_(output) {
   for (const Stage* stage : processor.stages()) units_.push_back({window.shows(stage->basename())});
-  for (const FifoBase* fifo : processor.fifos()) fifos_.push_back({window.shows(fifo->basename()), fifo->size()});
+  for (const FifoBase* fifo : processor.fifos())
+    fifos_.push_back({window.shows(fifo->basename()), tokens_before(*fifo)});
   processor.attach(*this);
+  if (!window.critical_path) return;
+  processor.attach(critical_path_.emplace(processor, [this](const PathStretch& stretch) {
+    if (stretch_ && stretch_->owed == stretch.owed && stretch_->place == stretch.place) {
+      stretch_->end = stretch.end;
+      return;
+    }
+    if (stretch_) show(*stretch_);
+    stretch_ = stretch;
+  }));
 }
 
 void Timeline::show(Span span) {
@@ -18,7 +28,7 @@ void Timeline::show(Span span) {
   if (span.begin < span.end) writer_.span(span);
 }
 
-void Timeline::take(const Event& event) {
+void Timeline::take_shown(const Event& event) {
   window_.end_if_full(output_.size(), event.at);
   if (event.kind == Event::Kind::firing) {
     Unit& unit = units_[event.source];
@@ -41,6 +51,12 @@ void Timeline::take(const Event& event) {
   }
 }
 
+void Timeline::show(const PathStretch& stretch) {
+  const Cycle begin = std::max(stretch.begin, window_.from);
+  const Cycle end = std::min(stretch.end, window_.to);
+  if (begin < end) writer_.stretch({stretch.owed, stretch.place, begin, end});
+}
+
 void Timeline::lose_before(std::size_t fifo, Cycle date) {
   Fill& its = fifos_[fifo];
   while (its.losses[0] < date) {
@@ -61,6 +77,8 @@ void Timeline::finish(Cycle cycles) {
   for (std::size_t k = 0; k < fifos_.size(); ++k) {
     if (fifos_[k].shown) lose_before(k, never);
   }
+  if (critical_path_) critical_path_->finish();
+  if (stretch_) show(*stretch_);
   writer_.finish(std::min(cycles, window_.to));
 }
 

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "files/output_file.h"
 #include "hw_model/processor.h"
+#include "hw_model/report/critical_path.h"
 #include "hw_model/trace/trace_window.h"
 #include "hw_model/trace/trace_writer.h"
+#include "hw_model/trace/windowed_sink.h"
 
 namespace pyrasim::hw {
 
@@ -15,7 +18,7 @@ namespace pyrasim::hw {
 /// that reaches beyond it is cut.
 ///
 /// A token counts from the cycle of its write to that of its read, both included.
-class Timeline final : public EventSink {
+class Timeline final : public WindowedSink {
  public:
   /// Of `processor`, whose simulation has not started; all outlive it.
   /// `output`: what the writer fills.
@@ -23,12 +26,13 @@ class Timeline final : public EventSink {
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
 
-  void take(const Event& event) override;
   /// Of a frame of `cycles` that is over, or was broken off there.
   void finish(Cycle cycles);
   std::optional<Cycle> full() const { return window_.full; }
 
  private:
+  void take_shown(const Event& event) override;
+
   struct Unit {
     bool shown = false;
     Cycle until = 0;  ///< the end of its last span
@@ -41,6 +45,7 @@ class Timeline final : public EventSink {
   };
 
   void show(Span span);
+  void show(const PathStretch& stretch);
   void change(std::size_t fifo, Cycle at);
   /// Takes the losses before `date` into account.
   void lose_before(std::size_t fifo, Cycle date);
@@ -50,6 +55,8 @@ class Timeline final : public EventSink {
   const OutputFile& output_;
   std::vector<Unit> units_;
   std::vector<Fill> fifos_;
+  std::optional<CriticalPath> critical_path_;
+  std::optional<PathStretch> stretch_;  ///< the newest one, with those before it that are owed to the same
 };
 
 }  // namespace pyrasim::hw

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hw_model/cycle.h"
@@ -19,6 +20,9 @@ struct TraceWindow {
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< bytes of a file, with which its trace ends
   std::optional<Cycle> full;                                        ///< where it did; then `to` is no later
   std::vector<std::string> units;  ///< patterns of the names of units and FIFOs, as a shell's (*, ?, [a-z]); none: all
+
+  std::vector<std::pair<int, int>> pixels;  ///< rows and columns on the screen, of what is rendered; none: all
+  bool critical_path = false;               ///< where a format has a place for it
 
   bool shows(std::string_view name) const;
   /// Whether [begin, end) has a cycle in it.

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "hw_model/cycle.h"
+#include "hw_model/report/critical_path.h"
 #include "hw_model/stage/stage_state.h"
 #include "hw_model/trace/event.h"
 
@@ -32,6 +33,8 @@ class TraceWriter {
   virtual void span(const Span& span) = 0;
   /// The FIFO (in Processor::fifos()) holds so many tokens from the start of cycle `at` on.
   virtual void fill(std::size_t fifo, Cycle at, std::size_t tokens) = 0;
+  /// Of the critical path, where the window asks for it; ascending.
+  virtual void stretch(const PathStretch& stretch) = 0;
   /// The frame is over.
   virtual void finish(Cycle cycles) = 0;
 };

@@ -33,7 +33,11 @@ std::string_view line(std::array<char, 80>& buffer, char first, Number number, i
 }  // namespace
 
 VcdTrace::VcdTrace(Processor& processor, const TraceWindow& window, OutputFile& output)
-    : processor_(processor), window_(window), output_(output), time_(processor.spec().clock_mhz) {
+    : WindowedSink(processor, window),
+      processor_(processor),
+      window_(window),
+      output_(output),
+      time_(processor.spec().clock_mhz) {
   const std::size_t stages = processor.stages().size();
   signals_.resize(stages + processor.fifos().size());
   for (std::size_t k = 0; k < signals_.size(); ++k) {
@@ -41,7 +45,7 @@ VcdTrace::VcdTrace(Processor& processor, const TraceWindow& window, OutputFile& 
     signals_[k].end = fmt::format(" {}\n", vcd_code(k));
     signals_[k].shown =
         window.shows(stage ? processor.stages()[k]->basename() : processor.fifos()[k - stages]->basename());
-    if (!stage) signals_[k].fill = processor.fifos()[k - stages]->size();
+    if (!stage) signals_[k].fill = tokens_before(*processor.fifos()[k - stages]);
   }
   write_header();
   if (window.from == 0) write_values();
@@ -82,7 +86,7 @@ void VcdTrace::write_values() {
   output_.write("$end\n");
 }
 
-void VcdTrace::take(const Event& event) {
+void VcdTrace::take_shown(const Event& event) {
   write_before(event.at);
   window_.end_if_full(output_.size(), event.at);
   const std::size_t fifo = processor_.stages().size() + event.source;

@@ -12,6 +12,7 @@
 #include "hw_model/processor.h"
 #include "hw_model/trace/trace.h"
 #include "hw_model/trace/vcd_time.h"
+#include "hw_model/trace/windowed_sink.h"
 
 namespace pyrasim::hw {
 
@@ -21,18 +22,19 @@ namespace pyrasim::hw {
 /// A stage's signal has two bits: 0 idle, 1 busy, 2 starved, 3 blocked. A FIFO's is the number of tokens, where a token
 /// counts from the cycle of its write to that of its read. Time is the clock's: see VcdTime. What a stage waits for is
 /// known only when it fires again, perhaps much later: its signal's value is then written where the wait began.
-class VcdTrace final : public Trace, public EventSink {
+class VcdTrace final : public Trace, public WindowedSink {
  public:
   /// Of `processor`, whose simulation has not started, to `output`, which has to be revisable; both outlive it.
   VcdTrace(Processor& processor, const TraceWindow& window, OutputFile& output);
   VcdTrace(const VcdTrace&) = delete;
   VcdTrace& operator=(const VcdTrace&) = delete;
 
-  void take(const Event& event) override;
   void finish(Cycle cycles) override;
   std::optional<Cycle> full() const override { return window_.full; }
 
  private:
+  void take_shown(const Event& event) override;
+
   enum class Change : std::uint8_t { fires, rests, gains, loses };
   /// What may change a signal at a date, in the order of the file.
   struct Item {

@@ -26,6 +26,7 @@ void add_budget_command(const Command& program);
 void add_check_command(const Command& program);
 void add_diagram_command(const Command& program);
 void add_export_command(const Command& program);
+void add_pixel_command(const Command& program);
 void add_level_command(const Command& program);
 void add_compare_command(const Command& program);
 void add_formats_command(const Command& program);
@@ -71,6 +72,8 @@ void print_warnings(const Scene& scene);
 std::pair<int, int> parse_size(const std::string& text, const std::string& option = "--size");
 /// "X,Y,COLUMNS,ROWS" within `screen`. Throws UsageError.
 PixelWindow parse_window(const std::string& text, const Screen& screen);
+/// "ROW,COLUMN" of a pixel of `rendered`, counted on the screen. Throws UsageError, which `what` begins.
+std::pair<int, int> parse_pixel(const std::string& text, const PixelWindow& rendered, const std::string& what);
 /// A whole number from `least` to `most`; `what` names it in the UsageError.
 int parse_number(const std::string& text, int least, int most, const std::string& what);
 /// A level from 0 to max_level_limit, or what the criterion asks of `screen` for "auto".

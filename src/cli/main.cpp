@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
   cli::add_check_command(program);
   cli::add_diagram_command(program);
   cli::add_export_command(program);
+  cli::add_pixel_command(program);
   cli::add_level_command(program);
   cli::add_formats_command(program);
   cli::add_completion_command(parser);

@@ -110,6 +110,15 @@ PixelWindow parse_window(const std::string& text, const Screen& screen) {
           parse_number(parts[3], 1, screen.rows - row, "--window: rows")};
 }
 
+std::pair<int, int> parse_pixel(const std::string& text, const PixelWindow& rendered, const std::string& what) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 2) {
+    throw UsageError(fmt::format("{} {}: ROW,COLUMN is allowed, as in 12,40", what, value_excerpt(text)));
+  }
+  return {parse_number(parts[0], rendered.row, rendered.row + rendered.rows - 1, what + ": row"),
+          parse_number(parts[1], rendered.column, rendered.column + rendered.columns - 1, what + ": column")};
+}
+
 int parse_max_level(const std::string& text, const Screen& screen) {
   if (text == "auto") return std::min(required_max_level(pixel_angle(screen)), max_level_limit);
   return parse_number(text, 0, max_level_limit, "--max-level");

@@ -39,7 +39,9 @@ struct SimulateCommand {
     plan.reads("--machine", machine.file);
     plan.writes("-o", image.file);
     plan.writes("--stats", stats);
-    TraceOutputs traces(trace, plan);
+    TraceOptions shown = trace;
+    shown.window.critical_path = critical_path;
+    TraceOutputs traces(shown, asked.rendered(), plan);
     MapOutputs pictures_of_cost(maps, cost_map_names.size(), plan);
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
@@ -97,8 +99,10 @@ void add_simulate_command(const Command& program) {
   command.add_text("--stats", options->stats, "statistics as JSON; - for stdout").type_name("FILE|-");
   options->trace.add(command);
   add_map_option(command, options->maps, cost_map_names.size());
-  command.add_flag("--critical-path", options->critical_path,
-                   "what the frame's time is owed to, in the table and in --stats: the chain of causes from its end");
+  command.add_flag(
+      "--critical-path", options->critical_path,
+      "what the frame's time is owed to, by the chain of causes from its end; in the table, in --stats and in "
+      "--trace of .pftrace and .json");
   command.add_flag("--explain", options->explain, "what of the machine was built, why, and what it costs");
 }
 

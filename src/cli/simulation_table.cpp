@@ -11,6 +11,7 @@
 
 #include "cli/frame_table.h"
 #include "cli/statistics_document.h"
+#include "hw_model/report/critical_path.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
@@ -105,17 +106,12 @@ std::string place_of_copies(const Outcome& outcome, const PathAccount& account) 
   return std::regex_replace(account.place, number, "");
 }
 
-std::string owed_text(const std::string& owed, const std::string& place) {
-  if (owed == "occupied") return place + " occupied";
-  return fmt::format("{} {} {}", owed, owed == "room" ? "in" : "of", place);
-}
-
 /// The largest shares, those of copies together; the rest on one line.
 std::string critical_path_lines(const Outcome& outcome) {
   constexpr std::size_t most_lines = 6;
   std::map<std::string, hw::Cycle> by_text;
   for (const PathAccount& account : outcome.critical_path) {
-    by_text[owed_text(account.owed, place_of_copies(outcome, account))] += account.cycles;
+    by_text[hw::owed_text(account.owed, place_of_copies(outcome, account))] += account.cycles;
   }
   std::vector<std::pair<std::string, hw::Cycle>> lines(by_text.begin(), by_text.end());
   std::stable_sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.second > b.second; });

@@ -48,11 +48,15 @@ std::uint64_t parse_bytes(const std::string& text) {
 
 }  // namespace
 
-TraceOutputs::TraceOutputs(const TraceOptions& asked, OutputPlan& plan) : window_(asked.window) {
+TraceOutputs::TraceOutputs(const TraceOptions& asked, const PixelWindow& rendered, OutputPlan& plan)
+    : window_(asked.window) {
   if (window_.from >= window_.to) {
     throw UsageError(
         fmt::format("--trace-from {} --trace-to {}: no cycle lies between them; more of the second is needed",
                     window_.from, window_.to));
+  }
+  for (const std::string& pixel : asked.pixels) {
+    window_.pixels.push_back(parse_pixel(pixel, rendered, "--trace-pixel"));
   }
   if (asked.limit) window_.limit = parse_bytes(*asked.limit);
   for (const std::string& file : asked.files) {
@@ -86,10 +90,11 @@ void TraceOutputs::finish(hw::Cycle cycles) {
 
 void TraceOptions::add(const Command& command) {
   command
-      .add_texts("--trace", files,
-                 "what units and FIFOs do over time, may be given for several files: .vcd and .fst (GTKWave), .pftrace "
-                 "(Perfetto), .json (Chrome), .kanata (Konata: a row for each ray), .gtkw (how GTKWave shows .vcd and .fst), "
-                 ".ptrace (for pyrasim whatif); - for VCD on stdout")
+      .add_texts(
+          "--trace", files,
+          "what units and FIFOs do over time, may be given for several files: .vcd and .fst (GTKWave), .pftrace "
+          "(Perfetto), .json (Chrome), .kanata (Konata: a row for each ray), .gtkw (how GTKWave shows .vcd and .fst), "
+          ".ptrace (for pyrasim whatif); - for VCD on stdout")
       .type_name("FILE.vcd|.fst|.pftrace|.json|.kanata|.gtkw|.ptrace|-");
   command.add_integer("--trace-from", window.from, 0, hw::never - 1, "the first cycle that traces show")
       .type_name("CYCLE");
@@ -98,6 +103,8 @@ void TraceOptions::add(const Command& command) {
       .add_texts("--trace-unit", window.units,
                  "the units and FIFOs that traces show, as a shell's pattern: 'intersection_unit*'; repeatable")
       .type_name("GLOB");
+  command.add_texts("--trace-pixel", pixels, "only what is about this pixel: its rays and nodes; repeatable")
+      .type_name("ROW,COLUMN");
   command
       .add_text(
           "--trace-limit", limit,

@@ -16,7 +16,8 @@ namespace pyrasim::cli {
 /// --trace, and what of the frame traces show.
 struct TraceOptions {
   std::vector<std::string> files;
-  hw::TraceWindow window;
+  hw::TraceWindow window;  ///< without its pixels
+  std::vector<std::string> pixels;
   std::optional<std::string> limit;  ///< "10M"
 
   void add(const Command& command);
@@ -26,7 +27,7 @@ struct TraceOptions {
 class TraceOutputs {
  public:
   /// Throws UsageError.
-  TraceOutputs(const TraceOptions& asked, OutputPlan& plan);
+  TraceOutputs(const TraceOptions& asked, const PixelWindow& rendered, OutputPlan& plan);
 
   /// Opens the files.
   void open();

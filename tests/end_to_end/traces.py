@@ -108,7 +108,8 @@ def read_perfetto(data):
                 annotations = {notes[note[1]]: note[3] for note in map(dict, map(fields, event[4]))}
                 ray = annotations.get("ray")
                 assert event[47] == ([] if ray is None else [ray + 1]) and track not in open_slices
-                open_slices[track] = (names[event[10][0]], at, ray)
+                name = event[23][0].decode() if event[23] else names[event[10][0]]
+                open_slices[track] = (name, at, ray)
             else:
                 assert event[9] == [2]
                 state, begin, ray = open_slices.pop(track)
@@ -134,12 +135,13 @@ def read_chrome(data):
 
 
 class Kanata:
-    """By the description of the log format of Konata. `rows`: ray to the list of (stage, begin, end)."""
+    """By the description of the log format of Konata. `rows`: by row the list of (stage, begin, end), `arrows`: pairs of
+    rows, from one to another that begins just then."""
 
     def __init__(self, text):
         lines = text.splitlines()
         assert lines[0] == "Kanata\t0004" and lines[1].startswith("C=\t")
-        self.rows, self.labels, self.flushed = {}, {}, 0
+        self.rows, self.labels, self.arrows, self.flushed = {}, {}, [], 0
         now, inside, retired = int(lines[1].split("\t")[1]), {}, set()
         for line in lines[2:]:
             command, *words = line.split("\t")
@@ -154,13 +156,17 @@ class Kanata:
                 self.labels[int(words[0])] = words[2]
             elif command == "S":
                 row, lane, stage = int(words[0]), *words[1:]
-                assert lane == "0" and row not in inside and row not in retired
+                assert lane == ("1" if "_to_" in stage else "0") and row not in inside and row not in retired
                 inside[row] = (stage, now)
             elif command == "E":
                 row, lane, stage = int(words[0]), *words[1:]
                 its, begin = inside.pop(row)
                 assert its == stage
                 self.rows[row].append((stage, begin, now))
+            elif command == "W":
+                consumer, producer, kind = map(int, words)
+                assert kind == 0 and consumer in inside and producer < consumer
+                self.arrows.append((producer, consumer))
             else:
                 assert command == "R", line
                 row, number, flush = map(int, words)
@@ -198,6 +204,19 @@ class Traces(tool.EndToEnd):
             self.assertEqual(kanata.flushed, 0)
             requests = {label for label in kanata.labels.values() if "request" in label}
             self.assertEqual(len(requests), document["rays"]["subdivision"])
+
+    def test_arrows_lead_from_the_ray_that_completed_a_node_to_those_that_split_it(self):
+        for frame in FRAMES:
+            kanata = Kanata(self.traced(*frame, formats=("kanata",))[1]["kanata"].decode())
+            requests = {row: int(label.split()[-1]) for row, label in kanata.labels.items() if "request" in label}
+            producers = dict((consumer, producer) for producer, consumer in kanata.arrows)
+            self.assertEqual(len(kanata.arrows), len(requests))
+            self.assertEqual(set(producers), set(requests))
+            self.assertEqual(len(set(zip(map(producers.get, requests), requests.values()))), len(set(requests.values())))
+            for consumer, producer in producers.items():
+                stage, begin, _ = kanata.rows[producer][-1]
+                self.assertEqual(stage, "pyramid_classifier")
+                self.assertLess(begin, kanata.rows[consumer][0][1])
 
     def test_a_rays_life_has_no_gaps(self):
         """Each row goes on where its last stage ended; a ray's units are those that the timeline shows."""
@@ -237,6 +256,52 @@ class Traces(tool.EndToEnd):
         shown = {unit["name"] for unit in document["units"] if unit["name"].startswith("inter")} | {"color_unit"}
         for ending, read in READERS.items():
             self.assertEqual({name for name, *_ in read(traces[ending]).slices}, shown)
+
+    def test_pixels(self):
+        """The pixel's own rays and nodes, as in the whole trace, and FIFOs that hold nothing else."""
+        for frame in FRAMES:
+            document = self.stats("simulate", *frame, "--map", "rays=rays.pfm", "--trace", "whole.json")
+            whole = read_chrome((self.folder / "whole.json").read_bytes())
+            row, column = (document["pixel_latency"]["slowest"][0][key] for key in ("row", "column"))
+            _, traces = self.traced(*frame, "--trace-pixel", f"{row},{column}")
+            kanata = Kanata(traces["kanata"].decode())
+            rays = int(tool.pixel_of_pfm(self.folder / "rays.pfm", row, column)[0])
+            self.assertEqual(len(kanata.rows), rays)
+            for ending, read in READERS.items():
+                part = read(traces[ending])
+                shown = {its for its in part.slices if its[1] != "idle"}
+                self.assertEqual(len(part.rays()), rays)
+                self.assertEqual({its[4] for its in shown if its[0] == "view_vector_generator"}, part.rays())
+                self.assertLess(shown, set(whole.slices))
+                self.assertEqual({its for its in whole.slices if its[4] in part.rays()}, {its for its in shown if its[4] is not None})
+                for name in ("color_unit", "tree_accumulator"):
+                    self.assertEqual(sum(its[0] == name for its in shown), 1 + 3 * (rays - 1) // 5)
+                self.assertEqual(sum(its[0] == "frame_buffer" for its in shown), 1)
+                for name, fills in part.fills.items():
+                    self.assertEqual(fills[-1][1], 0, name)
+                    self.assertTrue(all(tokens >= 0 for _, tokens in fills))
+        keel = ["simulate", *FRAMES[0], "--trace", "x.json", "--trace-pixel"]
+        self.refused(USAGE, *keel, "24,0", says="--trace-pixel: row 24: a whole number from 0 to 23 is allowed")
+        self.refused(USAGE, *keel, "1", says="--trace-pixel 1: ROW,COLUMN is allowed")
+
+    def test_critical_path(self):
+        """A track whose stretches follow each other, with the sums of the statistics."""
+        for frame in FRAMES:
+            document, traces = self.traced(*frame, "--critical-path", formats=("pftrace", "json"))
+            sums = collections.Counter()
+            for part in document["bottleneck"]["critical_path"]:
+                word = {"room": "in"}.get(part["owed"], "of")
+                name = f"{part['owed']} {word} {part['place']}" if part["owed"] != "occupied" else f"{part['place']} occupied"
+                sums[name] += part["cycles"]
+            for ending, read in READERS.items():
+                path = sorted((its for its in read(traces[ending]).slices if its[0] == "critical path"), key=lambda its: its[2])
+                self.assertEqual(path[0][2], 0)
+                self.assertEqual(path[-1][3], document["machine"]["cycles"])
+                self.assertTrue(all(one[3] == other[2] and one[1] != other[1] for one, other in zip(path, path[1:])))
+                found = collections.Counter()
+                for _, owed, begin, end, _ in path:
+                    found[owed] += end - begin
+                self.assertEqual(found, sums)
 
     def test_windows_of_vcd(self):
         """What is shown of the window is what the whole trace shows there."""
@@ -337,7 +402,7 @@ class Traces(tool.EndToEnd):
         def refused(*arguments, says):
             self.refused(USAGE, "simulate", SCENES / "keel.json", *arguments, says=says)
 
-        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .fst, .pftrace, .json, .kanata, .gtkw, or be -")
+        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .fst, .pftrace, .json, .kanata, .gtkw, .ptrace, or be -")
         refused("--trace", "x.vcd", "--trace", "x.vcd", says="are one file or stream")
         refused("--trace", "x.json", "--stats", "x.json", says="are one file or stream")
         refused("--trace", "x.gtkw", "--trace", "./x.gtkw", says="are one file or stream")

@@ -42,7 +42,9 @@ TEST(PointTable, FindsEachPointAndNoOther) {
         const auto place = known.find({row, column});
         const std::uint32_t* found = table.find({row, column});
         ASSERT_EQ(found != nullptr, place != known.end()) << row << ", " << column;
-        if (found != nullptr) EXPECT_EQ(found[2], place->second);
+        if (found != nullptr) {
+          EXPECT_EQ(found[2], place->second);
+        }
       }
     }
   }
