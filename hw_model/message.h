@@ -89,6 +89,9 @@ inline Subject subject_of(const Cell& cell) { return {.point = cell.corner, .log
 inline Subject subject_of(const CornerRequest& corner) { return {.point = corner.point, .pixel = corner.tag.pixel}; }
 inline Subject subject_of(const SubdivisionRequest& request) { return subject_of(request.cell); }
 inline Subject subject_of(const NodeMessage& node) { return subject_of(node.cell); }
-inline Subject subject_of(const TerminalMessage& node) { return subject_of(node.cell); }
+inline Subject subject_of(const SampleMessage& sample) { return {.object = sample.sample.seen.object}; }
+inline Subject subject_of(const TerminalMessage& node) {
+  return {.point = node.cell.corner, .log2_side = node.cell.log2_side, .which = node.which};
+}
 
 }  // namespace pyrasim::hw

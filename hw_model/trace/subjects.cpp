@@ -109,6 +109,7 @@ Subject Subjects::written(Fifo& fifo, const Subject& said) const {
       if (said.is_node()) subject = node(said, subject.request);
       break;
     case Content::rays:
+      subject.object = said.object;
       break;
   }
   fifo.inside.push_back(subject);

@@ -9,6 +9,7 @@
 #include "hw_model/trace/perfetto_trace.h"
 #include "hw_model/trace/timeline.h"
 #include "hw_model/trace/vcd_trace.h"
+#include "hw_model/view/page_trace.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -20,9 +21,10 @@ std::unique_ptr<Trace> make(Processor& processor, const TraceWindow& window, con
 }
 
 /// Of the whole frame, whatever the window.
-std::unique_ptr<Trace> make_run_trace(Processor& processor, const TraceWindow& /*window*/,
-                                      const nlohmann::ordered_json& run, OutputFile& output) {
-  return std::make_unique<RunTrace>(processor, run, output);
+template <class Kind>
+std::unique_ptr<Trace> make_of_run(Processor& processor, const TraceWindow& /*window*/,
+                                   const nlohmann::ordered_json& run, OutputFile& output) {
+  return std::make_unique<Kind>(processor, run, output);
 }
 
 /// A writer, and the timeline that it is told.
@@ -41,12 +43,13 @@ class Written final : public Trace {
 
 }  // namespace
 
-const std::array<TraceFormat, 7> trace_formats{{{".vcd", true, make<VcdTrace>},
+const std::array<TraceFormat, 8> trace_formats{{{".vcd", true, make<VcdTrace>},
                                                 {".fst", true, make<FstTrace>},
                                                 {".pftrace", false, make<Written<PerfettoTrace>>},
                                                 {".json", false, make<Written<ChromeTrace>>},
                                                 {".kanata", false, make<KanataTrace>},
                                                 {".gtkw", false, make<GtkwSave>},
-                                                {".ptrace", false, make_run_trace}}};
+                                                {".ptrace", false, make_of_run<RunTrace>},
+                                                {".html", true, make_of_run<PageTrace>}}};
 
 }  // namespace pyrasim::hw

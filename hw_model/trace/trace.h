@@ -33,6 +33,6 @@ struct TraceFormat {
                                  OutputFile& output);
 };
 
-extern const std::array<TraceFormat, 7> trace_formats;
+extern const std::array<TraceFormat, 8> trace_formats;
 
 }  // namespace pyrasim::hw

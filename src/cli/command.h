@@ -21,6 +21,7 @@ void add_render_command(const Command& program);
 void add_simulate_command(const Command& program);
 void add_sweep_command(const Command& program);
 void add_whatif_command(const Command& program);
+void add_view_command(const Command& program);
 void add_study_command(const Command& program);
 void add_budget_command(const Command& program);
 void add_check_command(const Command& program);

@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   cli::add_simulate_command(program);
   cli::add_sweep_command(program);
   cli::add_whatif_command(program);
+  cli::add_view_command(program);
   cli::add_budget_command(program);
   cli::add_study_command(program);
   cli::add_compare_command(program);

@@ -94,8 +94,8 @@ void TraceOptions::add(const Command& command) {
           "--trace", files,
           "what units and FIFOs do over time, may be given for several files: .vcd and .fst (GTKWave), .pftrace "
           "(Perfetto), .json (Chrome), .kanata (Konata: a row for each ray), .gtkw (how GTKWave shows .vcd and .fst), "
-          ".ptrace (for pyrasim whatif); - for VCD on stdout")
-      .type_name("FILE.vcd|.fst|.pftrace|.json|.kanata|.gtkw|.ptrace|-");
+          ".ptrace (for pyrasim whatif and view), .html (a page for browsers); - for VCD on stdout")
+      .type_name("FILE.vcd|.fst|.pftrace|.json|.kanata|.gtkw|.ptrace|.html|-");
   command.add_integer("--trace-from", window.from, 0, hw::never - 1, "the first cycle that traces show")
       .type_name("CYCLE");
   command.add_integer("--trace-to", window.to, 1, hw::never - 1, "the cycle with which traces end").type_name("CYCLE");

@@ -54,6 +54,7 @@ struct Content {
   SceneContents contents;
   hw::WorkTable rays{1};
   hw::WorkTable nodes{hw::NodeColumns::size};
+  std::string picture;
   nlohmann::json end;  ///< null: it was broken off
 };
 
@@ -76,6 +77,7 @@ Content read(const std::filesystem::path& file) {
   }
   content.rays = hw::WorkTable(columns.size());
   while (const auto chunk = chunks.next()) {
+    if (chunk->type == hw::ChunkType::image) content.picture = chunk->content;
     if (chunk->type == hw::ChunkType::end) content.end = parse_json(chunk->content, name);
     const bool rays = chunk->type == hw::ChunkType::rays;
     if (!rays && chunk->type != hw::ChunkType::nodes) continue;
@@ -121,6 +123,7 @@ RecordedRun load_recorded_run(const std::filesystem::path& file) {
   const JsonReader run = header.member("run");
   recorded.run = read_run(run);
   recorded.cycles = static_cast<hw::Cycle>(end.member("cycles").integer(count));
+  recorded.picture = std::move(content.picture);
   recorded.image_sha256 = end.member("image_sha256").string();
   const JsonReader arithmetic = end.member("arithmetic");
   recorded.arithmetic = {read_events(arithmetic.member("view_vectors")),
@@ -138,6 +141,14 @@ RecordedRun load_recorded_run(const std::filesystem::path& file) {
       content.contents, ViewVectors(recorded.run.screen, std::int64_t{1} << recorded.run.max_level),
       points(content.rays));
   return recorded;
+}
+
+void require_same_cycles(const std::string& file, const RecordedRun& recorded, const Outcome& outcome) {
+  if (outcome.cycles == recorded.cycles) return;
+  throw InputError(
+      fmt::format("{}: its frame took {} cycles, and takes {} when it is made again; a file of this "
+                  "version's simulate is allowed",
+                  file, recorded.cycles, outcome.cycles));
 }
 
 Task RecordedRun::on(const hw::MachineSpec& machine) const {

@@ -17,6 +17,7 @@ struct RecordedRun {
   Run run;
   hw::Cycle cycles = 0;
   std::string image_sha256;
+  std::string picture;  ///< PNG
   DatapathEvents arithmetic;
   std::shared_ptr<const Scene> scene;  ///< as many objects as there were, of which nothing is known but their names
   std::shared_ptr<const Intersector> intersector;        ///< a RecordedScene
@@ -25,6 +26,10 @@ struct RecordedRun {
   /// The frame on `machine`: its outcome is that of the true run there.
   Task on(const hw::MachineSpec& machine) const;
 };
+
+/// Throws InputError where the frame of `file`, made again on its own machine, came to another outcome: the program
+/// that wrote it was another one.
+void require_same_cycles(const std::string& file, const RecordedRun& recorded, const Outcome& outcome);
 
 /// Reads a .ptrace file. Throws InputError where it is none, is damaged, or was broken off.
 RecordedRun load_recorded_run(const std::filesystem::path& file);

@@ -14,7 +14,8 @@ import subprocess
 import unittest
 
 import tool
-from tool import MACHINES, SCENES, SOURCE
+from tool import MACHINES, SCENES
+from viewers import CHROMIUM, VIEWERS, node_modules
 
 STATES = ("idle", "busy", "starved", "blocked")
 NANOSECONDS = 5  # a cycle, at 200 MHz
@@ -22,8 +23,6 @@ FRAMES = ([SCENES / "keel.json", "--size", "32x24"],
           [SCENES / "shadows.json", "--size", "16x12", "--max-level", "2", "--machine", MACHINES / "wide.json"],
           [SCENES / "keel.json", "--size", "16x12", "--set", "fifos.all=1"])
 PERFETTO = pathlib.Path("/usr/lib/chromium/libtest_trace_processor.so")
-CHROMIUM = pathlib.Path("/usr/bin/chromium")
-VIEWERS = SOURCE / "tests/viewers"
 
 
 def needs(*programs):
@@ -53,20 +52,6 @@ def value_changes(text):
                 values[code] = int(bits, 2)
                 changes.add((now, names[code], values[code]))
     return changes, now
-
-
-def node_modules():
-    """The packages of tests/viewers/package.json, installed once for each list of versions."""
-    folder, lock = SOURCE / "build/viewers", VIEWERS / "package-lock.json"
-    done = folder / "installed.json"
-    if not done.exists() or done.read_bytes() != lock.read_bytes():
-        folder.mkdir(parents=True, exist_ok=True)
-        for file in (VIEWERS / "package.json", lock):
-            shutil.copy(file, folder)
-        subprocess.run(["npm", "ci", "--silent", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder, check=True,
-                       timeout=300)
-        shutil.copy(lock, done)
-    return folder / "node_modules"
 
 
 class PerfettoProcessor:

@@ -402,7 +402,7 @@ class Traces(tool.EndToEnd):
         def refused(*arguments, says):
             self.refused(USAGE, "simulate", SCENES / "keel.json", *arguments, says=says)
 
-        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .fst, .pftrace, .json, .kanata, .gtkw, .ptrace, or be -")
+        refused("--trace", "x.trace", says="--trace x.trace: its name must end in .vcd, .fst, .pftrace, .json, .kanata, .gtkw, .ptrace, .html, or be -")
         refused("--trace", "x.vcd", "--trace", "x.vcd", says="are one file or stream")
         refused("--trace", "x.json", "--stats", "x.json", says="are one file or stream")
         refused("--trace", "x.gtkw", "--trace", "./x.gtkw", says="are one file or stream")
