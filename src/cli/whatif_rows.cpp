@@ -17,6 +17,33 @@
 
 namespace pyrasim::cli {
 
+PredictionRows::PredictionRows(hw::Cycle recorded, const std::vector<Prediction>& list)
+    : recorded_(recorded), width_(std::string_view("change").size()) {
+  for (const Prediction& prediction : list) {
+    if (has_effect(prediction)) width_ = std::max(width_, prediction.change.size());
+  }
+}
+
+std::string PredictionRows::table_header() const {
+  return fmt::format("{:<{}} {:>18} {:>11}\n", "change", width_, "predicted cycles", "difference");
+}
+
+std::string PredictionRows::table_row(const Prediction& prediction) const {
+  return fmt::format("{:<{}} {:>18} {:>+9.2f} %\n", prediction.change, width_, grouped(prediction.cycles),
+                     difference_percent(prediction));
+}
+
+std::string PredictionRows::csv_row(const Prediction& prediction) const {
+  return cli::csv_row(
+      {prediction.change, std::to_string(prediction.cycles), fmt::format("{:.9g}", difference_percent(prediction))});
+}
+
+nlohmann::ordered_json PredictionRows::document(const Prediction& prediction) const {
+  return {{"change", prediction.change},
+          {"predicted_cycles", prediction.cycles},
+          {"difference_percent", difference_percent(prediction)}};
+}
+
 WhatifRows::WhatifRows(std::string trace, Run run, const std::vector<WhatifPoint>& points)
     : trace_(std::move(trace)), run_(std::move(run)), width_(std::string_view("change").size()) {
   for (const WhatifPoint& point : points) width_ = std::max(width_, point.change.size());

@@ -13,7 +13,8 @@ Job job_of(const Task& task, bool has_to_finish) {
     const HostOptions host{.intersector = task.intersector,
                            .progress = progress,
                            .textures = task.textures,
-                           .occupancies = task.occupancies};
+                           .occupancies = task.occupancies,
+                           .critical_path = task.critical_path};
     const Outcome outcome = simulate(task.run, *task.scene, host, task.measure);
     if (has_to_finish) require_finished(outcome);
     return pack(outcome).dump();

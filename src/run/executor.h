@@ -22,6 +22,7 @@ struct Task {
   std::shared_ptr<const Intersector> intersector = {};        ///< as in HostOptions
   Measure measure = {};                                       ///< may be empty
   std::shared_ptr<const hw::RecordedTextures> textures = {};  ///< as in HostOptions
+  bool critical_path = false;                                 ///< likewise
   bool occupancies = false;                                   ///< as in HostOptions
 };
 
