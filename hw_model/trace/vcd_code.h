@@ -20,7 +20,11 @@ inline std::string vcd_code(std::size_t signal) {
 /// The signal of an identifier code.
 inline std::size_t vcd_signal(std::string_view code) {
   std::size_t signal = 0;
-  for (auto digit = code.rbegin(); digit != code.rend(); ++digit) signal = 94 * signal + std::size_t(*digit - '!');
+  std::size_t weight = 1;
+  for (const char digit : code) {
+    signal += weight * static_cast<std::size_t>(digit - '!');
+    weight *= 94;
+  }
   return signal;
 }
 

@@ -17,6 +17,7 @@ namespace {
 
 std::vector<std::string_view> endings() {
   std::vector<std::string_view> endings;
+  endings.reserve(hw::trace_formats.size());
   for (const hw::TraceFormat& format : hw::trace_formats) endings.push_back(format.ending);
   return endings;
 }
