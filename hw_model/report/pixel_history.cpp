@@ -26,7 +26,7 @@ PixelHistory::PixelHistory(const Processor& processor, std::uint32_t pixel)
 
 bool PixelHistory::is_about(const Subject& subject) const {
   if (subject.pixel == pixel_) return true;
-  if (subject.ray == no_number || subject.request != no_number) return false;
+  if (subject.is_node() || subject.ray == no_number || subject.request != no_number) return false;
   for (std::size_t corner = 0; corner < 4; ++corner) {
     if (corner_of(cell_, corner) == subject.point) return true;
   }

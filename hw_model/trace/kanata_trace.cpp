@@ -48,10 +48,7 @@ void KanataTrace::take_shown(const Event& event) {
 /// A row begins where the generator fires, and ends with the firing of the classifier that takes its sample.
 void KanataTrace::take_firing(const Event& event) {
   if (event.source == frame_buffer_) completed_.erase(event.subject.pixel);
-  if (event.source == classifier_) {
-    classified_ = event.subject.ray;
-    go(classified_, event.until, nowhere);
-  }
+  if (event.source == classifier_) go(event.subject.ray, event.until, nowhere);
   if (event.source == generator_ && event.at >= window_.from && event.at < window_.to)
     begin_row(event.subject, event.at);
 }
@@ -60,7 +57,7 @@ void KanataTrace::take_firing(const Event& event) {
 void KanataTrace::take_node(const Event& event) {
   const Subject& node = event.subject;
   if (readers_[event.source] == controller_) {
-    const auto row = rows_.find(classified_);
+    const auto row = rows_.find(node.ray);
     if (row != rows_.end()) completed_[node.pixel].push_back({node.point, node.log2_side, row->second.number});
   } else if (readers_[event.source] == generator_) {
     const auto completed = completed_.find(node.pixel);

@@ -72,7 +72,6 @@ class KanataTrace final : public Trace, public WindowedSink {
   std::vector<std::size_t> readers_;  ///< of FIFOs that rays go through: a stage; nowhere of others
   std::size_t generator_ = 0, classifier_ = 0, controller_ = nowhere, frame_buffer_ = 0;  ///< among the stages
   std::unordered_map<std::uint32_t, std::vector<Completed>> completed_;  ///< that may be split, by pixel
-  std::uint64_t classified_ = no_number;                                 ///< the newest ray
   std::priority_queue<Item, std::vector<Item>, std::greater<>> agenda_;
   std::unordered_map<std::uint64_t, Row> rows_;  ///< of rays under way
   std::uint64_t order_ = 0;

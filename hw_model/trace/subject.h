@@ -19,7 +19,8 @@ inline constexpr std::uint32_t no_side = 0xFFFFFFFFU;
 
 /// What something that happens is about: a ray through a point, or a node of a pixel's trace tree on its cell.
 struct Subject {
-  std::uint64_t ray = no_number;       ///< by order of issue from 0
+  std::uint64_t ray = no_number;       ///< by order of issue from 0; of a node that is not being split yet, the
+                                       ///< one that completed it
   std::uint64_t request = no_number;   ///< the subdivision, by order of issue from 0, that the ray or node comes from;
                                        ///< it is the node itself where that is on its way to be split; none: a corner
   GridPoint point{};                   ///< of a ray; the upper left corner of a node's cell

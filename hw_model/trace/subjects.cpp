@@ -106,7 +106,11 @@ Subject Subjects::written(Fifo& fifo, const Subject& said) const {
       subject = node(said, fifo.writes++);
       break;
     case Content::nodes:
-      if (said.is_node()) subject = node(said, subject.request);
+      if (said.is_node()) {
+        const std::uint64_t completing = subject.ray;
+        subject = node(said, subject.request);
+        subject.ray = completing;
+      }
       break;
     case Content::rays:
       subject.object = said.object;

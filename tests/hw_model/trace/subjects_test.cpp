@@ -212,6 +212,11 @@ TEST_F(Rays, MakeNodesThatFillTheirPixels) {
     EXPECT_EQ(area.size(), list.machine().image().pixels().size());
     for (const auto& [pixel, its] : area) EXPECT_EQ(its, std::uint64_t{1} << (2 * max_level));
     EXPECT_EQ(subjects_of(list.of(Kind::firing, "tree_accumulator")), colors);
+    std::map<Cycle, std::uint64_t> classified;
+    for (const Event& firing : list.of(Kind::firing, "pyramid_classifier")) classified[firing.at] = firing.subject.ray;
+    for (const char* fifo : {"pyramid_classifier_to_color_unit", "pyramid_classifier_to_subdivision_controller"}) {
+      for (const Event& node : list.of(Kind::write, fifo)) EXPECT_EQ(node.subject.ray, classified.at(node.at));
+    }
     std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> sent;
     for (const Event& node : list.of(Kind::read, "pyramid_classifier_to_subdivision_controller")) {
       sent.insert(address_of(cell_of(node.subject)));
