@@ -46,8 +46,7 @@ void Timeline::take_shown(const Event& event) {
   } else if (fifo.losses[0] == event.at) {  // it gains one and loses one
     fifo.losses = {fifo.losses[1], never};
   } else {
-    ++fifo.tokens;
-    change(event.source, event.at);
+    change(event.source, event.at, fifo.tokens + 1);
   }
 }
 
@@ -60,14 +59,18 @@ void Timeline::show(const PathStretch& stretch) {
 void Timeline::lose_before(std::size_t fifo, Cycle date) {
   Fill& its = fifos_[fifo];
   while (its.losses[0] < date) {
-    --its.tokens;
-    change(fifo, its.losses[0]);
+    change(fifo, its.losses[0], its.tokens - 1);
     its.losses = {its.losses[1], never};
   }
 }
 
-void Timeline::change(std::size_t fifo, Cycle at) {
-  if (at >= window_.from && at < window_.to) writer_.fill(fifo, at, fifos_[fifo].tokens);
+/// The window begins with what was so before.
+void Timeline::change(std::size_t fifo, Cycle at, std::size_t tokens) {
+  Fill& its = fifos_[fifo];
+  if (at > window_.from && !its.written) writer_.fill(fifo, window_.from, its.tokens);
+  its.written |= at >= window_.from;
+  its.tokens = tokens;
+  if (at >= window_.from && at < window_.to) writer_.fill(fifo, at, tokens);
 }
 
 void Timeline::finish(Cycle cycles) {
@@ -75,7 +78,9 @@ void Timeline::finish(Cycle cycles) {
     if (units_[k].shown) show({k, StageState::idle, units_[k].until, cycles, {}});
   }
   for (std::size_t k = 0; k < fifos_.size(); ++k) {
-    if (fifos_[k].shown) lose_before(k, never);
+    if (!fifos_[k].shown) continue;
+    lose_before(k, never);
+    if (!fifos_[k].written && window_.from < cycles) writer_.fill(k, window_.from, fifos_[k].tokens);
   }
   if (critical_path_) critical_path_->finish();
   if (stretch_) show(*stretch_);

@@ -40,13 +40,14 @@ class Timeline final : public WindowedSink {
   struct Fill {
     bool shown = false;
     std::size_t tokens = 0;
+    bool written = false;
     std::array<Cycle, 2> losses{never,
                                 never};  ///< dates, the earlier one first: at most one of a cycle and of the next
   };
 
   void show(Span span);
   void show(const PathStretch& stretch);
-  void change(std::size_t fifo, Cycle at);
+  void change(std::size_t fifo, Cycle at, std::size_t tokens);
   /// Takes the losses before `date` into account.
   void lose_before(std::size_t fifo, Cycle date);
 

@@ -249,7 +249,8 @@ class Traces(tool.EndToEnd):
             part = read(traces[ending])
             self.assertEqual(part.all(), whole.window(first, last))
             for name, fills in whole.fills.items():
-                self.assertEqual(part.fills[name], [fill for fill in fills if first <= fill[0] < last], name)
+                before = [tokens for at, tokens in fills if at <= first][-1]
+                self.assertEqual(part.fills[name], [(first, before)] + [fill for fill in fills if first < fill[0] < last], name)
         for stages in Kanata(traces["kanata"].decode()).rows.values():
             self.assertTrue(first <= stages[0][1] < last)
         document, traces = self.traced(*frame, "--trace-unit", "inter*unit*", "--trace-unit", "color_unit")

@@ -120,6 +120,28 @@ class Whatif(tool.EndToEnd):
         self.ok("whatif", "run.ptrace", "intersection.units=1..3", "fifos.all=x1,x4", "--csv", "rows.csv")
         self.assertEqual((self.folder / "rows.csv").read_text(), run.stdout)
 
+    def test_sensitivity(self):
+        """Estimates of a step of every setting; those of the busiest unit are near what is found."""
+        self.record(SCENES / "keel.json", "--size", "64x48")
+        trace = "run.ptrace"
+        self.ok("whatif", trace, "--sensitivity", "--stats", "all.json", "--csv", "all.csv")
+        table = self.ok("whatif", trace, "--sensitivity").splitlines()
+        document = tool.read_json(self.folder / "all.json")
+        recorded = document["cycles"]
+        predicted = {part["change"]: part["predicted_cycles"] for part in document["predictions"]}
+        rows = list(csv.DictReader((self.folder / "all.csv").read_text().splitlines()))
+        self.assertEqual({row["change"]: int(row["predicted_cycles"]) for row in rows}, predicted)
+        self.assertEqual(list(predicted.values()), sorted(predicted.values()))
+        self.assertGreaterEqual(len(predicted), 50)
+        shown = {line.split()[0]: int(line.split()[1].replace(",", "")) for line in table[1:-2]}
+        self.assertLess(shown.items(), predicted.items())
+        for change, cycles in predicted.items():
+            self.assertEqual(change in shown, abs(cycles - recorded) >= recorded / 10_000, change)
+        for change in ("intersection.units=+1", "intersection.units=-1", "intersection.cost.box_test=+1"):
+            found = self.points(trace, change)[1]["statistics"]["machine"]["cycles"]
+            self.assertGreater(abs(found - recorded), recorded / 10)
+            self.assertLess(abs(predicted[change] - found), recorded / 50, change)
+
     def test_another_machine(self):
         frame = [SCENES / "keel.json", "--size", "32x24"]
         self.record(*frame)
