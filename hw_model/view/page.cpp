@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hw_model/view/page.h"
 
-#include <zlib.h>
-
 #include <cstdint>
-#include <new>
 #include <nlohmann/json.hpp>
 
+#include "hw_model/record/compressed.h"
 #include "hw_model/report/bottleneck.h"
 #include "hw_model/view/page_text.h"
 #include "version.h"
@@ -17,16 +15,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int compression = 6;
-
-std::string compressed(std::string_view content) {
-  uLongf size = compressBound(content.size());
-  std::string bytes(size, '\0');
-  const int result = compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                               reinterpret_cast<const Bytef*>(content.data()), content.size(), compression);
-  if (result != Z_OK) throw std::bad_alloc();  // there is no other cause
-  bytes.resize(size);
-  return bytes;
-}
 
 /// RFC 4648.
 std::string base64(std::string_view bytes) {
@@ -68,7 +56,8 @@ std::string page_run(const Processor& processor, const FrameTables& tables, Cycl
   if (processor.complete()) document["bottleneck"] = bottleneck_text(bottleneck_chain(processor));
   document.update(tables.description());
   return R"(<script type="application/json" class="run">)" + script_text(document) + "</script>\n" +
-         R"(<script type="text/plain" class="columns">)" + base64(compressed(tables.bytes())) + "</script>\n";
+         R"(<script type="text/plain" class="columns">)" + base64(compressed(tables.bytes(), compression)) +
+         "</script>\n";
 }
 
 void write_page(OutputFile& output, std::span<const std::string> runs) {
