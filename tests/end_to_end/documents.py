@@ -68,11 +68,11 @@ class Documents(tool.EndToEnd):
     def test_bash(self):
         self.check_completion("bash")
 
-    @unittest.skipUnless(shutil.which("fish"), "tools/setup dev installs it")
+    @unittest.skipUnless(shutil.which("fish"), "tools/setup test installs it")
     def test_fish(self):
         self.check_completion("fish")
 
-    @unittest.skipUnless(shutil.which("zsh"), "tools/setup dev installs it")
+    @unittest.skipUnless(shutil.which("zsh"), "tools/setup test installs it")
     def test_zsh(self):
         """zsh completes at a terminal only: there, what it lists for a tab."""
         self.write("_pyrasim", self.ok("completion", "zsh"))
@@ -99,7 +99,7 @@ class Documents(tool.EndToEnd):
                 self.assertRegex(sections[words[-1]], rf"\\fB{option}\\fR", words)
         self.assertIn("128 + N ended by signal N", page.split(".SH EXIT STATUS")[1])
 
-    @unittest.skipUnless(shutil.which("groff"), "tools/setup dev installs it")
+    @unittest.skipUnless(shutil.which("groff"), "tools/setup test installs it")
     def test_manual_page_is_roff(self):
         page = self.write("pyrasim.1", self.ok("man"))
         run = subprocess.run(["groff", "-man", "-Tutf8", "-ww", page], stdout=subprocess.PIPE, stderr=subprocess.PIPE,

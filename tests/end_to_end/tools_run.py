@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tools/run's options: what it makes for a size, and its help. What it builds with is replaced: the program is there."""
+"""tools/run's options: what it makes for a size, and its help; what tools/setup installs. What they build and install with is
+replaced."""
 
+import os
 import shutil
 import struct
 import subprocess
@@ -56,6 +58,41 @@ class ToolsRun(tool.EndToEnd):
             run = self.start(*options)
             self.assertEqual(run.returncode, 2, run.stderr)
             self.assertIn("--", run.stderr)
+
+
+class ToolsSetup(tool.EndToEnd):
+    """Of a machine that has none of the packages, by what apt-get is asked for."""
+
+    def start(self, *level, works=True):
+        (self.folder / "bin").mkdir(exist_ok=True)
+        self.write("bin/dpkg-query", "#!/bin/sh\nexit 1\n").chmod(0o755)
+        self.write("bin/sudo", '#!/bin/sh\nexec "$@"\n').chmod(0o755)
+        self.write("bin/apt-get", f'#!/bin/sh\necho "$@" >>asked\necho said\n{"true" if works else "false"}\n').chmod(0o755)
+        (self.folder / "asked").unlink(missing_ok=True)
+        return subprocess.run([SOURCE / "tools" / "setup", *level], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              timeout=120, check=False, cwd=self.folder, env={**os.environ, "PATH": f"{self.folder}/bin:/usr/bin:/bin"})
+
+    def packages(self, *level):
+        run = self.start(*level)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        *_, install = (self.folder / "asked").read_text().splitlines()
+        return {word for word in install.split() if not word.startswith("-")} - {"install"}
+
+    def test_each_level_has_more(self):
+        plain, test, dev = self.packages(), self.packages("test"), self.packages("dev")
+        self.assertLess(plain, test)
+        self.assertLess(test, dev)
+        self.assertLess({"g++", "cmake", "libsystemc-dev"}, plain)
+        self.assertLess({"gtkwave", "xvfb", "chromium", "chromium-shell", "povray"}, test - plain)
+        self.assertLess({"clang-tidy", "clang-format"}, dev - test)
+
+    def test_mistakes(self):
+        run = self.start("all")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertEqual(run.stderr, "tools/setup: unknown argument 'all'; test and dev are allowed\n")
+        run = self.start(works=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("said\ntools/setup: cannot install ", run.stderr)
 
 
 tool.main()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Programs of others read the traces, and find in them what the statistics say: GTKWave with its save file, fst2vcd,
-vcd-stream, Perfetto's trace processor, speedscope. What is not installed (tools/setup dev) is skipped."""
+vcd-stream, Perfetto's trace processor, speedscope. What is not installed (tools/setup test) is skipped."""
 
 import collections
 import contextlib
@@ -15,7 +15,7 @@ import unittest
 
 import tool
 from tool import MACHINES, SCENES
-from viewers import CHROMIUM, VIEWERS, node_modules
+from viewers import CHROMIUM, PATIENCE, VIEWERS, node_modules
 
 STATES = ("idle", "busy", "starved", "blocked")
 NANOSECONDS = 5  # a cycle, at 200 MHz
@@ -27,7 +27,7 @@ PERFETTO = pathlib.Path("/usr/lib/chromium/libtest_trace_processor.so")
 
 def needs(*programs):
     missing = [str(program) for program in programs if not shutil.which(program) and not pathlib.Path(program).exists()]
-    return unittest.skipIf(missing, f"{', '.join(missing)}: not installed; tools/setup dev does it")
+    return unittest.skipIf(missing, f"{', '.join(missing)}: not installed; tools/setup test does it")
 
 
 def sums(changes, end):
@@ -117,9 +117,9 @@ class Viewers(tool.EndToEnd):
         """The statistics; the traces are x.ENDING."""
         return self.stats("simulate", *frame, *(word for ending in endings for word in ("--trace", f"x.{ending}")))
 
-    def program(self, *arguments, timeout=120, **environment):
+    def program(self, *arguments, **environment):
         run = subprocess.run(list(map(str, arguments)), cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True,
-                             encoding="utf-8", check=False, timeout=timeout, env={**os.environ, **environment})
+                             encoding="utf-8", check=False, timeout=PATIENCE, env={**os.environ, **environment})
         self.assertEqual(run.returncode, 0, run.stderr)
         return run.stdout
 

@@ -9,7 +9,7 @@ import unittest
 
 import tool
 from tool import INPUT, LIMIT, MACHINES, SCENES, USAGE
-from viewers import CHROMIUM, VIEWERS, node_modules
+from viewers import CHROMIUM, PATIENCE, VIEWERS, node_modules
 
 STATES = ("busy", "starved", "blocked", "idle")
 KEEL = [SCENES / "keel.json", "--size", "32x24"]
@@ -28,7 +28,7 @@ def percent(part, whole):
     return f"{100 * part / whole:.1f} %"
 
 
-@unittest.skipUnless(shutil.which("node"), "node is not installed; tools/setup dev does it")
+@unittest.skipUnless(shutil.which("node"), "node is not installed; tools/setup test does it")
 class Page(tool.EndToEnd):
     def paged(self, frame, *more):
         """The statistics; the page is x.html."""
@@ -40,7 +40,7 @@ class Page(tool.EndToEnd):
 
     def node(self, script, *arguments):
         run = subprocess.run(["node", VIEWERS / script, *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL,
-                             capture_output=True, encoding="utf-8", check=False, timeout=120)
+                             capture_output=True, encoding="utf-8", check=False, timeout=PATIENCE)
         self.assertEqual(run.returncode, 0, run.stderr)
         return json.loads(run.stdout)
 
@@ -124,7 +124,7 @@ class Data(Page):
         self.refused(INPUT, "view", "keel.ptrace", "bad.ptrace", "-o", "x.html", says="bad.ptrace")
 
 
-@unittest.skipUnless(CHROMIUM.exists() and shutil.which("npm"), "chromium or npm is not installed; tools/setup dev does it")
+@unittest.skipUnless(CHROMIUM.exists() and shutil.which("npm"), "chromium or npm is not installed; tools/setup test does it")
 class Browser(Page):
     def see(self, steps, page="x.html", size=(1400, 1000), scheme="light"):
         """What the steps saw. Nothing is said on the console, and nothing asked of any network."""

@@ -9,6 +9,7 @@ from tool import SOURCE
 
 CHROMIUM = pathlib.Path("/usr/bin/chromium")
 VIEWERS = SOURCE / "tests/viewers"
+PATIENCE = 600  # seconds for one of them, which takes some: machines may be slow and busy
 
 
 def node_modules():
@@ -20,6 +21,6 @@ def node_modules():
         for file in (VIEWERS / "package.json", lock):
             shutil.copy(file, folder)
         subprocess.run(["npm", "ci", "--silent", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder, check=True,
-                       timeout=300)
+                       timeout=PATIENCE)
         shutil.copy(lock, done)
     return folder / "node_modules"

@@ -10,6 +10,7 @@ const {width, height, scheme, steps} = JSON.parse(task);
 const playwright = require(path.join(modules, 'playwright-core'));
 const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
                '--disable-component-update', '--disable-sync'];
+const patience = 300000; // milliseconds for a step: machines may be slow and busy
 
 /** Each step gives what it saw, or nothing. */
 const kinds = {
@@ -39,8 +40,9 @@ const kinds = {
 
 async function main() {
   const browser = await playwright.chromium.launchPersistentContext(
-      folder, {executablePath: chromium, headless: true, args: flags, colorScheme: scheme, viewport: {width, height}});
+      folder, {executablePath: chromium, headless: true, args: flags, timeout: patience, colorScheme: scheme, viewport: {width, height}});
   try {
+    browser.setDefaultTimeout(patience);
     const page = await browser.newPage(), seen = [], errors = [], requests = [];
     page.on('pageerror', error => errors.push(error.message));
     page.on('console', message => errors.push(message.text()));

@@ -9,11 +9,13 @@ const [modules, chromium, profile, folder] = process.argv.slice(2);
 const playwright = require(path.join(modules, 'playwright-core'));
 const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
                '--disable-component-update', '--disable-sync'];
+const patience = 300000; // milliseconds for a step: machines may be slow and busy
 
 async function main() {
   const browser = await playwright.chromium.launchPersistentContext(
-      folder, {executablePath: chromium, headless: true, args: flags, acceptDownloads: true});
+      folder, {executablePath: chromium, headless: true, args: flags, timeout: patience, acceptDownloads: true});
   try {
+    browser.setDefaultTimeout(patience);
     const page = await browser.newPage();
     // As speedscope's own command does it.
     const script = path.join(folder, 'profile.js');
