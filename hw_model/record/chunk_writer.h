@@ -21,7 +21,10 @@ enum class ChunkType : char {
   end = 'Z',     ///< JSON: what came of it; the last
 };
 
-inline bool is_compressed(ChunkType type) { return type != ChunkType::header && type != ChunkType::image; }
+/// Of types that are not known the content is taken as it is.
+inline bool is_compressed(ChunkType type) {
+  return type == ChunkType::rays || type == ChunkType::nodes || type == ChunkType::events || type == ChunkType::end;
+}
 
 /// Writes such a file, chunk by chunk: type, length as a varint, content. All but header and picture are
 /// compressed (zlib, RFC 1950). What is in the file at any time can be read up to the last whole chunk.

@@ -9,14 +9,21 @@
 
 namespace pyrasim::hw {
 
-RecordedScene::RecordedScene(const SceneContents& contents, const ViewVectors& view_vectors, PointTable rays)
-    : contents_(contents), view_vectors_(view_vectors), columns_(contents), rays_(std::move(rays)) {}
+RecordedScene::RecordedScene(std::string file, const SceneContents& contents, const ViewVectors& view_vectors,
+                             PointTable rays)
+    : file_(std::move(file)),
+      contents_(contents),
+      view_vectors_(view_vectors),
+      columns_(contents),
+      rays_(std::move(rays)) {}
 
 Sample RecordedScene::intersect(const glm::dvec3& view_vector, Work& work) const {
   const GridPoint point = view_vectors_.point_of(view_vector);
   const std::uint32_t* row = rays_.find(point);
   if (row == nullptr) {
-    throw InputError(fmt::format("no ray through row {}, column {} of the grid is recorded", point.row, point.column));
+    throw InputError(
+        fmt::format("{}: no ray through row {}, column {} of the grid is recorded; it has to be as simulate wrote it",
+                    file_, point.row, point.column));
   }
   return {columns_.read(row, work), {}};
 }

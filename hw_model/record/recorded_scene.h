@@ -15,13 +15,15 @@ namespace pyrasim::hw {
 class RecordedScene final : public Intersector {
  public:
   /// `rays`: rows of RayColumns. `view_vectors`: the frame's in double, in which all rays differ.
-  RecordedScene(const SceneContents& contents, const ViewVectors& view_vectors, PointTable rays);
+  /// `file`: that they come from, for messages.
+  RecordedScene(std::string file, const SceneContents& contents, const ViewVectors& view_vectors, PointTable rays);
 
   /// Throws InputError for a ray that is not recorded.
   Sample intersect(const glm::dvec3& view_vector, Work& work) const override;
   SceneContents contents() const override { return contents_; }
 
  private:
+  std::string file_;
   SceneContents contents_;
   ViewVectors view_vectors_;
   RayColumns columns_;

@@ -85,11 +85,10 @@ std::vector<LifeStep> PixelHistory::life() const {
   const auto last = std::find_if(hops_.begin(), hops_.end(), [&](const Hop& hop) {
     return readers_[hop.fifo] == frame_buffer_ && hop.read != never;
   });
-  if (last == hops_.end() || stored_ == never) return steps;
-  add(LifeStep::Kind::service, frame_buffer_, last->read, stored_);
+  if (last == hops_.end()) return steps;
   for (const Hop* hop = &*last; hop != nullptr;) {
     const std::size_t stage = writers_[hop->fifo];
-    add(LifeStep::Kind::waiting, hop->fifo, hop->visible, hop->read);
+    if (hop != &*last) add(LifeStep::Kind::waiting, hop->fifo, hop->visible, hop->read);
     add(LifeStep::Kind::latency, stage, hop->served, hop->visible);
     add(LifeStep::Kind::service, stage, hop->written, hop->served);
     const Hop* before = read_by(stage, hop->written);

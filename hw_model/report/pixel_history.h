@@ -51,9 +51,8 @@ class PixelHistory final : public EventSink {
   const std::vector<Hop>& hops() const { return hops_; }
   /// When the frame buffer had stored it; `never` as long as it has not.
   Cycle stored() const { return stored_; }
-  /// From the scan's sending of the corner that completes it until it is stored, without gaps: back from its end, each
-  /// time what came last. Its cycles up to the frame buffer's being able to read it are its latency. Empty as long as
-  /// it has not been stored.
+  /// Its latency without gaps: from the scan's sending of the corner that completes it until the frame buffer can read
+  /// it; back from its end, each time what came last. Empty as long as the frame buffer has not read it.
   std::vector<LifeStep> life() const;
 
  private:

@@ -83,7 +83,8 @@ json& at(json& document, const std::string& path) {
   return (*node)[path.substr(begin)];
 }
 
-void apply(json& document, const hw::MachineSpec& base, const std::string& change) {
+/// `recorded`: the settings of `base`, from which relative values count.
+void apply(json& document, json& recorded, const hw::MachineSpec& base, const std::string& change) {
   const std::size_t equals = change.find('=');
   if (equals == std::string::npos)
     fail(change, "there is no \"=\"; PATH=VALUE is allowed, as in intersection.units=+1");
@@ -94,9 +95,9 @@ void apply(json& document, const hw::MachineSpec& base, const std::string& chang
       apply_override(document, path + "=" + value, "whatif");
       continue;
     }
-    json& node = at(document, path);
+    const json& node = at(recorded, path);
     if (!node.is_number()) fail(change, "the setting is no number; one of its names is allowed");
-    node = applied(*relative, node);
+    at(document, path) = applied(*relative, node);
   }
 }
 
@@ -105,9 +106,13 @@ void apply(json& document, const hw::MachineSpec& base, const std::string& chang
 hw::MachineSpec changed_machine(const hw::MachineSpec& base, const std::vector<std::string>& changes) {
   json document = hw::settings_document(base);
   document["name"] = base.name;
+  json recorded = document;
   hw::MachineSpec machine = base;
-  for (const std::string& change : changes) {
-    apply(document, base, change);
+  std::vector<std::string> in_order = changes;  // a FIFO that is named is changed as that says
+  std::stable_partition(in_order.begin(), in_order.end(),
+                        [](const std::string& change) { return change.starts_with(std::string(every_fifo) + "="); });
+  for (const std::string& change : in_order) {
+    apply(document, recorded, base, change);
     try {
       machine = hw::read_machine("the machine", document);
     } catch (const InputError& error) {

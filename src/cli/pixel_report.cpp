@@ -2,6 +2,7 @@
 #include "cli/pixel_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -103,8 +104,12 @@ class Tree {
     if (seen.object == no_object) return "nothing";
     const std::string& name = scene_.objects[seen.object].name;
     std::string text = name.empty() ? fmt::format("object {}", seen.object) : excerpt(name);
-    if (processor_.contents().lights_with_shadows > 0) text += fmt::format(", lights {:b}", seen.lights);
-    return text;
+    if (processor_.contents().lights_with_shadows == 0) return text;
+    std::vector<std::size_t> lights;
+    for (std::size_t light = 0; light < max_shadow_lights; ++light) {
+      if ((seen.lights >> light & 1U) != 0) lights.push_back(light);
+    }
+    return text + (lights.empty() ? ", in shadow" : fmt::format(", lit by {}", fmt::join(lights, ", ")));
   }
 
   const Scene& scene_;
@@ -150,8 +155,8 @@ std::string pixel_report(const Scene& scene, const hw::Processor& processor, con
   const hw::Cycle end = life.back().end;
   return fmt::format("colour   {:.4f} {:.4f} {:.4f} linear, #{:02x}{:02x}{:02x}\n", color.x, color.y, color.z,
                      byte(color.x), byte(color.y), byte(color.z)) +
-         fmt::format("cycles   {}: from {}, when the scan sent its last corner, to {}, when it was stored\n\n",
-                     grouped(end - begin), grouped(begin), grouped(end)) +
+         fmt::format("latency  {} cycles: from {}, when the scan sent its last corner, to {}; stored by {}\n\n",
+                     grouped(end - begin), grouped(begin), grouped(end), grouped(pixel.stored())) +
          Tree(scene, processor, pixel, seen).text() + "\nWhat it took, by what came last each time:\n" +
          wait_lines(processor, life);
 }

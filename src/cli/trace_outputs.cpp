@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "cli/nearest.h"
 #include "error.h"
 #include "hw_model/trace/gtkw_save.h"
 #include "text/printable.h"
@@ -59,6 +60,11 @@ TraceOutputs::TraceOutputs(const TraceOptions& asked, const PixelWindow& rendere
   for (const std::string& pixel : asked.pixels) {
     window_.pixels.push_back(parse_pixel(pixel, rendered, "--trace-pixel"));
   }
+  const bool asks_for_a_part =
+      window_.from > 0 || window_.to != hw::never || !window_.units.empty() || !asked.pixels.empty() || asked.limit;
+  if (asks_for_a_part && asked.files.empty()) {
+    throw UsageError("--trace-from, --trace-to, --trace-unit, --trace-pixel and --trace-limit go with --trace FILE");
+  }
   if (asked.limit) window_.limit = parse_bytes(*asked.limit);
   for (const std::string& file : asked.files) {
     plan.writes("--trace", file, endings());
@@ -72,9 +78,26 @@ void TraceOutputs::open() {
 }
 
 void TraceOutputs::begin(hw::Processor& processor, const nlohmann::ordered_json& run) {
+  require_names(processor);
   for (std::size_t k = 0; k < asked_.size(); ++k) {
     traces_.push_back(asked_[k].format->make(processor, window_, run, outputs_[k]->file()));
     if (!asked_[k].format->revises) outputs_[k]->publish();
+  }
+}
+
+/// What is written for nothing is noticed before the frame is simulated.
+void TraceOutputs::require_names(const hw::Processor& processor) const {
+  std::vector<std::string> names;
+  for (const hw::Stage* stage : processor.stages()) names.emplace_back(stage->basename());
+  for (const hw::FifoBase* fifo : processor.fifos()) names.emplace_back(fifo->basename());
+  for (const std::string& pattern : window_.units) {
+    hw::TraceWindow alone;
+    alone.units = {pattern};
+    if (std::any_of(names.begin(), names.end(), [&](const std::string& name) { return alone.shows(name); })) continue;
+    const auto near = nearest(pattern, names);
+    throw UsageError(fmt::format("--trace-unit {}: no unit or FIFO of this machine has such a name; {}",
+                                 value_excerpt(pattern),
+                                 near ? *near + " is near" : "pyrasim diagram shows those that there are"));
   }
 }
 

@@ -38,6 +38,8 @@ class TraceOutputs {
   void finish(hw::Cycle cycles);
 
  private:
+  void require_names(const hw::Processor& processor) const;
+
   struct Asked {
     std::string file;
     const hw::TraceFormat* format;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "cli/command.h"
 #include "cli/machine_changes.h"
@@ -41,6 +42,7 @@ struct WhatifCommand {
     outputs.reads("--machine", machine);
     outputs.writes("--csv", csv);
     outputs.writes("--stats", stats);
+    require_once();
     const RecordedRun recorded = load_recorded_run(trace);
     const std::vector<WhatifPoint> points = plan(recorded);
     for (const WhatifPoint& point : points) {
@@ -53,6 +55,18 @@ struct WhatifCommand {
       predict_all(recorded, output, statistics);
     } else {
       make_all(recorded, points, output, statistics);
+    }
+  }
+
+  void require_once() const {
+    std::set<std::string> paths;
+    for (const std::string& change : changes) {
+      if (const std::string path = change.substr(0, change.find('=')); !paths.insert(path).second) {
+        throw UsageError(
+            fmt::format("whatif {}: it is changed twice; one change of a setting is allowed, also "
+                        "several values, as in {}=1,2",
+                        excerpt(path), excerpt(path)));
+      }
     }
   }
 
@@ -102,6 +116,7 @@ struct WhatifCommand {
   void predict_all(const RecordedRun& recorded, RowOutput& output, std::optional<TextOutput>& statistics) const {
     Task task = recorded.on(recorded.run.machine);
     task.critical_path = true;
+    task.run.max_cycles = max_cycles;
     std::vector<Prediction> list;
     make_rows(
         {"recorded"}, 1, [&](std::size_t) { return task; },

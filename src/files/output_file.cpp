@@ -107,14 +107,7 @@ void OutputFile::copy_to(const std::function<void(std::string_view)>& take) {
 
 void OutputFile::publish() {
   assert(descriptor_ >= 0 && "published after commit");
-  const std::uint64_t published = written_;
-  try {
-    flush();
-  } catch (const RunError&) {
-    if (named_ && !direct_) [[maybe_unused]]
-      const int ignored = ftruncate(descriptor_, static_cast<off_t>(published));
-    throw;
-  }
+  flush();
   if (!direct_ && !named_) {
     if (temporary_.empty()) {
       temporary_ = with_temporary_name(folder_of(target_), [this](const char* name) {
@@ -164,11 +157,18 @@ void OutputFile::open_temporary() {
   if (descriptor_ < 0) fail(errno);
 }
 
+/// Where it fails, a file that has its name ends with what was whole before.
 void OutputFile::flush() {
+  const std::uint64_t whole = written_;
   std::string_view rest = buffer_;
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-    if (written < 0 && errno != EINTR) fail(errno);
+    if (written < 0 && errno != EINTR) {
+      const int error = errno;
+      if (named_ && !direct_) [[maybe_unused]]
+        const int ignored = ftruncate(descriptor_, static_cast<off_t>(whole));
+      fail(error);
+    }
     if (written <= 0) continue;
     rest.remove_prefix(static_cast<std::size_t>(written));
     written_ += static_cast<std::uint64_t>(written);

@@ -5,11 +5,13 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "error.h"
 #include "hw_model/record/chunk_reader.h"
 #include "hw_model/record/recorded_scene.h"
 #include "json/json_file.h"
+#include "pyramid/cell.h"
 #include "run/run_document.h"
 
 namespace pyrasim {
@@ -108,6 +110,20 @@ void require_objects(const std::string& name, const hw::WorkTable& rays, std::si
   }
 }
 
+/// Every frame traces the corners of its raster.
+void require_corners(const JsonReader& header, const hw::PointTable& rays, const Run& run) {
+  const PixelWindow window = run.rendered();
+  for (int row = 0; row <= window.rows; ++row) {
+    for (int column = 0; column <= window.columns; ++column) {
+      const GridPoint corner =
+          pixel_cell(window, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column), run.max_level).corner;
+      if (rays.find(corner) != nullptr) continue;
+      header.fail(fmt::format("no ray through row {}, column {} of the grid is recorded", corner.row, corner.column),
+                  "the file has to be as simulate wrote it");
+    }
+  }
+}
+
 }  // namespace
 
 RecordedRun load_recorded_run(const std::filesystem::path& file) {
@@ -137,9 +153,11 @@ RecordedRun load_recorded_run(const std::filesystem::path& file) {
   if (textured > 0) {
     recorded.textures = std::make_shared<const hw::RecordedTextures>(textured, points(content.nodes));
   }
+  hw::PointTable rays = points(content.rays);
+  require_corners(header, rays, recorded.run);
   recorded.intersector = std::make_shared<const hw::RecordedScene>(
-      content.contents, ViewVectors(recorded.run.screen, std::int64_t{1} << recorded.run.max_level),
-      points(content.rays));
+      name, content.contents, ViewVectors(recorded.run.screen, std::int64_t{1} << recorded.run.max_level),
+      std::move(rays));
   return recorded;
 }
 

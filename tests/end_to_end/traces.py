@@ -412,6 +412,12 @@ class Traces(tool.EndToEnd):
         for size in ("0", "-1", "K", "5x", "1KK", "1T", "1000000001"):
             refused("--trace", "x.vcd", "--trace-limit", size, says=f"--trace-limit {size}: a number of bytes from 1 to")
         refused("--trace", "x.vcd", "--trace-from", "-1", says="--trace-from")
+        refused("--trace", "x.vcd", "--trace-unit", "colour_unit",
+                says="--trace-unit colour_unit: no unit or FIFO of this machine has such a name; color_unit is near")
+        refused("--trace", "x.pftrace", "--trace-unit", "*buffer", "--trace-unit", "zzz", says="--trace-unit zzz: no unit or FIFO")
+        for option in (["--trace-from", "3"], ["--trace-to", "3"], ["--trace-limit", "1K"], ["--trace-pixel", "0,0"],
+                       ["--trace-unit", "*"]):
+            refused(*option, says="go with --trace FILE")
 
 
 tool.main()

@@ -167,6 +167,8 @@ class Whatif(tool.EndToEnd):
                              ("intersection.dispatch=+1", "the setting is no number"),
                              ("intersection.dispatch=other", "/intersection/dispatch")):
             self.refused(USAGE, "whatif", "run.ptrace", change, says=says)
+        self.refused(USAGE, "whatif", "run.ptrace", "intersection.units=+1", "intersection.units=3",
+                     says="whatif intersection.units: it is changed twice")
         self.refused(INPUT, "whatif", "run.ptrace", "subdivision_controller.pool=2", says="cannot hold one pixel's tree")
         self.refused(INPUT, "whatif", "none.ptrace", says="none.ptrace: cannot read: No such file")
         self.refused(INPUT, "whatif", "scene.json", says="scene.json: it is no trace of this program")
@@ -174,6 +176,31 @@ class Whatif(tool.EndToEnd):
         run = self.run_tool("whatif", "run.ptrace", "intersection.units=1", "--max-cycles", "10")
         self.assertEqual(run.returncode, LIMIT)
         self.assertIn("recorded (0 of 2 rows done): the frame is not finished within 10 cycles", run.stderr)
+
+    def test_changes_are_made_together(self):
+        """A FIFO that is named is changed as that says, from what was recorded, in whatever order."""
+        self.record(SCENES / "keel.json", "--size", "16x12")
+        name = "pyramid_classifier_to_color_unit"
+        recorded = self.settings_of("clock_mhz=x1")["fifos"]
+        for one, every, expected in (("=1", "=2", 1), ("=x2", "=x3", 2 * recorded[name])):
+            both = [f"fifos.{name}{one}", f"fifos.all{every}"]
+            for changes in (both, both[::-1]):
+                fifos = self.settings_of(*changes)["fifos"]
+                self.assertEqual(fifos[name], expected)
+                self.assertNotEqual(fifos["color_unit_to_tree_accumulator"], recorded["color_unit_to_tree_accumulator"])
+
+    def test_files_that_do_not_fit_together(self):
+        """Of another picture than the rays: said when it is read."""
+        self.record(SCENES / "keel.json", "--size", "16x12")
+        data = (self.folder / "run.ptrace").read_bytes()
+        for old, new in ((b'"max_level":3', b'"max_level":2'), (b'"rows":12', b'"rows":13'), (b'"columns":16', b'"columns":17')):
+            self.assertEqual(data.count(old), 1)
+            self.write("bad.ptrace", data.replace(old, new))
+            for command in (["whatif"], ["view", "-o", "x.html"]):
+                self.refused(INPUT, *command, "bad.ptrace", says="bad.ptrace: ")
+        magic, rest = data[:16], data[16:]
+        self.write("more.ptrace", magic + rest[:-1] + rest[-1:] + b"Q\x03abc")
+        self.ok("whatif", "more.ptrace")
 
     def test_damaged_files(self):
         """Cut anywhere, or with any byte changed: one line, or the same result."""
