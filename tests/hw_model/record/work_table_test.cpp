@@ -52,7 +52,7 @@ WorkTable random_table(std::mt19937_64& random, std::size_t columns, std::size_t
   for (std::size_t k = 0; k < rows; ++k) {
     std::uint32_t* row = table.add_row();
     for (std::size_t column = 0; column < columns; ++column) {
-      row[column] = static_cast<std::uint32_t>(random()) >> random() % 33;
+      row[column] = static_cast<std::uint32_t>(random() >> 32U >> random() % 33);
     }
   }
   return table;
