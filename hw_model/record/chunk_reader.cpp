@@ -54,7 +54,7 @@ std::optional<Chunk> ChunkReader::next() {
   std::string_view ahead = rest_.substr(1);
   const auto length = take_varint(ahead);
   if (!length) {
-    if (rest_.size() > 10) fail_damaged();
+    if (rest_.size() > 10) fail_damaged(name_);
     return std::nullopt;
   }
   if (*length > ahead.size()) return std::nullopt;
@@ -63,12 +63,12 @@ std::optional<Chunk> ChunkReader::next() {
   rest_ = ahead.substr(*length);
   if (!is_compressed(type)) return Chunk{type, std::string(payload)};
   auto content = decompressed(payload);
-  if (!content) fail_damaged();
+  if (!content) fail_damaged(name_);
   return Chunk{type, std::move(*content)};
 }
 
-void ChunkReader::fail_damaged() const {
-  throw InputError(fmt::format("{}: a chunk of it is damaged; it has to be as simulate wrote it", name_));
+void fail_damaged(const std::string& file) {
+  throw InputError(fmt::format("{}: a chunk of it is damaged; it has to be as simulate wrote it", file));
 }
 
 }  // namespace pyrasim::hw

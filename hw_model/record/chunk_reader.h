@@ -15,6 +15,9 @@ struct Chunk {
   std::string content;  ///< as it was given to ChunkWriter
 };
 
+/// Throws InputError for a chunk of `file` that is not as it was written.
+[[noreturn]] void fail_damaged(const std::string& file);
+
 /// Reads what ChunkWriter writes, up to the last whole chunk of a file that was broken off.
 class ChunkReader {
  public:
@@ -25,8 +28,6 @@ class ChunkReader {
   std::optional<Chunk> next();
 
  private:
-  [[noreturn]] void fail_damaged() const;
-
   std::string name_;
   std::string bytes_;
   std::string_view rest_;

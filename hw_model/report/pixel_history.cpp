@@ -15,9 +15,7 @@ PixelHistory::PixelHistory(const Processor& processor, std::uint32_t pixel)
       unread_(processor.fifos().size()),
       frame_buffer_(processor.number_of(processor.frame_buffer())) {
   const auto [row, column] = processor.place_of(pixel);
-  const int max_level = processor.max_level();
-  cell_ = {{static_cast<std::uint32_t>(row) << max_level, static_cast<std::uint32_t>(column) << max_level},
-           static_cast<std::uint32_t>(max_level)};
+  cell_ = pixel_cell({}, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column), processor.max_level());
   for (const Wire& wire : processor.wires()) {
     writers_.push_back(processor.number_of(*wire.writer));
     readers_.push_back(processor.number_of(*wire.reader));

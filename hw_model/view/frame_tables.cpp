@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hw_model/view/frame_tables.h"
 
-#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -117,9 +116,6 @@ std::uint64_t FrameTables::number_of_node(const Subject& node) {
 ordered_json FrameTables::description() const {
   const auto name = [](Content content) { return content_names[static_cast<std::size_t>(content)]; };
   const auto& stages = processor_.stages();
-  const auto place = [&](const Stage* stage) {
-    return std::find(stages.begin(), stages.end(), stage) - stages.begin();
-  };
   ordered_json units = ordered_json::array();
   for (std::size_t k = 0; k < units_.size(); ++k) {
     units.push_back({{"name", stages[k]->basename()},
@@ -132,8 +128,8 @@ ordered_json FrameTables::description() const {
     const auto& [fifo, writer, reader] = processor_.wires()[k];
     fifos.push_back({{"name", fifo->basename()},
                      {"depth", fifo->depth()},
-                     {"writer", place(writer)},
-                     {"reader", place(reader)},
+                     {"writer", processor_.number_of(*writer)},
+                     {"reader", processor_.number_of(*reader)},
                      {"about", name(fifos_[k].content)},
                      {"preloaded", fifos_[k].preloaded},
                      {"written", fifos_[k].written},

@@ -29,7 +29,6 @@ struct SimulateCommand {
   TraceOptions trace;
   std::vector<std::string> maps;
   bool explain = false;
-  bool critical_path = false;
 
   void run() const {
     auto [asked, scene] = asked_run(frame, machine);
@@ -39,9 +38,7 @@ struct SimulateCommand {
     plan.reads("--machine", machine.file);
     plan.writes("-o", image.file);
     plan.writes("--stats", stats);
-    TraceOptions shown = trace;
-    shown.window.critical_path = critical_path;
-    TraceOutputs traces(shown, asked.rendered(), plan);
+    TraceOutputs traces(trace, asked.rendered(), plan);
     MapOutputs pictures_of_cost(maps, cost_map_names.size(), plan);
     PictureOutput picture(image);
     std::optional<TextOutput> statistics;
@@ -54,7 +51,7 @@ struct SimulateCommand {
                            .progress = progress_bar("simulating"),
                            .maps = pictures_of_cost.begin(asked.rendered(), asked.max_level),
                            .occupancies = statistics.has_value(),
-                           .critical_path = critical_path});
+                           .critical_path = trace.window.critical_path});
     const hw::Processor& processor = simulation.processor();
     traces.begin(simulation.processor(), run_document(asked, *scene));
     Outcome outcome;
@@ -100,7 +97,7 @@ void add_simulate_command(const Command& program) {
   options->trace.add(command);
   add_map_option(command, options->maps, cost_map_names.size());
   command.add_flag(
-      "--critical-path", options->critical_path,
+      "--critical-path", options->trace.window.critical_path,
       "what the frame's time is owed to, by the chain of causes from its end; in the table, in --stats and in "
       "--trace of .pftrace and .json");
   command.add_flag("--explain", options->explain, "what of the machine was built, why, and what it costs");

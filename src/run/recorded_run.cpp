@@ -12,6 +12,7 @@
 #include "hw_model/record/recorded_scene.h"
 #include "json/json_file.h"
 #include "pyramid/cell.h"
+#include "run/outcome_fields.h"
 #include "run/run_document.h"
 
 namespace pyrasim {
@@ -35,19 +36,17 @@ SceneContents read_contents(const JsonReader& reader) {
 }
 
 ArithmeticEvents read_events(const JsonReader& reader) {
-  const auto number = [&](const char* key) { return static_cast<std::uint64_t>(reader.member(key).integer(count)); };
-  return {number("saturations"), number("underflows"), number("inexact"), number("divisions_by_zero"),
-          number("invalid")};
+  ArithmeticEvents events;
+  for_each_field(events, [&](const char* key, std::uint64_t& number) {
+    number = static_cast<std::uint64_t>(reader.member(key).integer(count));
+  });
+  return events;
 }
 
 std::vector<std::string> read_names(const JsonReader& reader) {
   std::vector<std::string> names;
   for (const JsonReader& name : reader.elements()) names.push_back(name.string());
   return names;
-}
-
-[[noreturn]] void fail_damaged(const std::string& name) {
-  throw InputError(fmt::format("{}: a chunk of it is damaged; it has to be as simulate wrote it", name));
 }
 
 /// A file's content, as far as it is there.
@@ -84,7 +83,7 @@ Content read(const std::filesystem::path& file) {
     const bool rays = chunk->type == hw::ChunkType::rays;
     if (!rays && chunk->type != hw::ChunkType::nodes) continue;
     if (!(rays ? content.rays : content.nodes).add_packed(chunk->content)) {
-      fail_damaged(name);
+      hw::fail_damaged(name);
     }
   }
   return content;
@@ -106,7 +105,7 @@ void require_whole(const std::string& name, const Content& content) {
 /// No ray saw one that is not there.
 void require_objects(const std::string& name, const hw::WorkTable& rays, std::size_t objects) {
   for (std::size_t k = 0; k < rays.rows(); ++k) {
-    if (hw::RayColumns::object(rays.row(k)) > objects) fail_damaged(name);
+    if (hw::RayColumns::object(rays.row(k)) > objects) hw::fail_damaged(name);
   }
 }
 

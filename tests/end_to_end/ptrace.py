@@ -16,16 +16,6 @@ from tool import MACHINES, SCENES
 MAGIC = b"pyrasim trace 1\n"
 
 
-def varint(data, at):
-    value = shift = 0
-    while True:
-        byte = data[at]
-        value |= (byte & 0x7F) << shift
-        at, shift = at + 1, shift + 7
-        if byte < 0x80:
-            return value, at
-
-
 def chunks(data):
     """Type and content of each whole chunk."""
     assert data.startswith(MAGIC)
@@ -33,7 +23,7 @@ def chunks(data):
     while at < len(data):
         kind = chr(data[at])
         try:
-            length, at = varint(data, at + 1)
+            length, at = tool.varint(data, at + 1)
         except IndexError:
             return
         content, at = data[at:at + length], at + length
@@ -44,12 +34,12 @@ def chunks(data):
 
 def table(content, columns):
     """The rows of a chunk of rays or nodes."""
-    count, at = varint(content, 0)
+    count, at = tool.varint(content, 0)
     numbers = []
     for _ in columns:
         column, value = [], 0
         for _ in range(count):
-            difference, at = varint(content, at)
+            difference, at = tool.varint(content, at)
             value += difference >> 1 ^ -(difference & 1)
             column.append(value)
         numbers.append(column)

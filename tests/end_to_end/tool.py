@@ -76,6 +76,18 @@ def texts_of_png(file):
         at += 12 + length
 
 
+def varint(data, at):
+    """The number that begins there, seven bits a byte, the lowest first; and where the next one does. Throws IndexError
+    where it is cut."""
+    value = shift = 0
+    while True:
+        byte = data[at]
+        value |= (byte & 0x7F) << shift
+        at, shift = at + 1, shift + 7
+        if byte < 0x80:
+            return value, at
+
+
 def messages(stderr):
     """Its lines but those that tell how far a run of more than ten seconds is, as any may be on a busy machine."""
     return [line for line in stderr.splitlines() if not re.fullmatch(r"[a-z0-9 ]+: \d+ %", line)]

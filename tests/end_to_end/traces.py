@@ -47,28 +47,17 @@ class Timeline:
 def fields(data):
     """Number and value of each field of a message of Protocol Buffers; of one that is cut short, those that are whole."""
     at = 0
-
-    def varint():
-        nonlocal at
-        value = shift = 0
-        while True:
-            byte = data[at]
-            value |= (byte & 0x7F) << shift
-            at, shift = at + 1, shift + 7
-            if byte < 0x80:
-                return value
-
     while at < len(data):
         try:
-            key, value = varint(), None
+            (key, at), value = tool.varint(data, at), None
             if key & 7 == 0:
-                value = varint()
+                value, at = tool.varint(data, at)
             elif key & 7 == 1:
                 value = struct.unpack_from("<Q", data, at)[0]
                 at += 8
             else:
                 assert key & 7 == 2
-                size = varint()
+                size, at = tool.varint(data, at)
                 value = data[at:at + size]
                 at += size
         except (IndexError, struct.error):
