@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "hw_model/plan/stage_list.h"
+#include "hw_model/plan/is_one_of.h"
 #include "hw_model/wire.h"
 
 namespace pyrasim::hw {
@@ -68,7 +68,7 @@ const Hop* PixelHistory::held_for(const Hop& hop, std::size_t stage) const {
     const bool same_node = other.subject.is_node() == hop.subject.is_node() &&
                            other.subject.point == hop.subject.point && other.subject.log2_side == hop.subject.log2_side;
     const bool of_request = other.subject.request != no_number && other.subject.request == hop.subject.request;
-    const bool is_controller = processor_.stages()[stage]->box() == box_of<SubdivisionController>();
+    const bool is_controller = is_one_of<SubdivisionController>(*processor_.stages()[stage]);
     if (is_controller ? !same_node : !of_request) continue;
     if (found == nullptr || found->read < other.read) found = &other;
   }

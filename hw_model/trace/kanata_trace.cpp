@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "hw_model/plan/stage_list.h"
+#include "hw_model/plan/is_one_of.h"
 #include "hw_model/wire.h"
 
 namespace pyrasim::hw {
@@ -13,10 +13,10 @@ KanataTrace::KanataTrace(Processor& processor, const TraceWindow& window, Output
   const auto& stages = processor.stages();
   for (std::size_t k = 0; k < stages.size(); ++k) {
     names_.emplace_back(stages[k]->basename());
-    if (stages[k]->box() == box_of<ViewVectorGenerator>()) generator_ = k;
-    if (stages[k]->box() == box_of<PyramidClassifier>()) classifier_ = k;
-    if (stages[k]->box() == box_of<SubdivisionController>()) controller_ = k;
-    if (stages[k]->box() == box_of<FrameBuffer>()) frame_buffer_ = k;
+    if (is_one_of<ViewVectorGenerator>(*stages[k])) generator_ = k;
+    if (is_one_of<PyramidClassifier>(*stages[k])) classifier_ = k;
+    if (is_one_of<SubdivisionController>(*stages[k])) controller_ = k;
+    if (is_one_of<FrameBuffer>(*stages[k])) frame_buffer_ = k;
   }
   for (std::size_t k = 0; k < processor.fifos().size(); ++k) {
     const Wire& wire = processor.wires()[k];

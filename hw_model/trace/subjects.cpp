@@ -3,18 +3,10 @@
 
 #include <algorithm>
 
-#include "hw_model/plan/stage_list.h"
+#include "hw_model/plan/is_one_of.h"
 #include "hw_model/wire.h"
 
 namespace pyrasim::hw {
-namespace {
-
-template <class Kind>
-bool is(const Stage* stage) {
-  return stage->box() == box_of<Kind>();
-}
-
-}  // namespace
 
 Subjects::Subjects(const std::vector<Stage*>& stages, const std::vector<Wire>& wires, const PixelWindow& window,
                    int max_level)
@@ -22,19 +14,19 @@ Subjects::Subjects(const std::vector<Stage*>& stages, const std::vector<Wire>& w
   const auto place = [&](const Stage* stage) {
     return static_cast<std::size_t>(std::find(stages.begin(), stages.end(), stage) - stages.begin());
   };
-  for (const Stage* stage : stages) originates_.push_back(is<PixelScan>(stage) || is<SubdivisionController>(stage));
+  for (const Stage* stage : stages) originates_.push_back(is_one_of<PixelScan, SubdivisionController>(*stage));
   for (const Wire& wire : wires) {
     Fifo& fifo = fifos_.emplace_back();
     fifo.writer = place(wire.writer);
     fifo.reader = place(wire.reader);
-    if (is<ViewVectorGenerator>(wire.reader)) generator_ = fifo.reader;
-    if (is<PixelScan>(wire.writer)) {
+    if (is_one_of<ViewVectorGenerator>(*wire.reader)) generator_ = fifo.reader;
+    if (is_one_of<PixelScan>(*wire.writer)) {
       fifo.content = Content::corners;
-    } else if (is<SubdivisionController>(wire.writer)) {
-      fifo.content = is<PyramidClassifier>(wire.reader) ? Content::parents : Content::requests;
-    } else if (is<PyramidClassifier>(wire.writer) || is<ColorUnit>(wire.writer) || is<FrameBuffer>(wire.reader)) {
+    } else if (is_one_of<SubdivisionController>(*wire.writer)) {
+      fifo.content = is_one_of<PyramidClassifier>(*wire.reader) ? Content::parents : Content::requests;
+    } else if (is_one_of<PyramidClassifier, ColorUnit>(*wire.writer) || is_one_of<FrameBuffer>(*wire.reader)) {
       fifo.content = Content::nodes;
-    } else if (!is<PixelScan>(wire.reader)) {
+    } else if (!is_one_of<PixelScan>(*wire.reader)) {
       fifo.content = Content::rays;
     }
   }

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "hw_model/plan/stage_list.h"
+#include "hw_model/plan/is_one_of.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -14,11 +14,6 @@ using nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 4> content_names{"nothing", "corners", "rays", "nodes"};
 
-template <class... Kind>
-bool is_one_of(const Stage* stage) {
-  return ((stage->box() == box_of<Kind>()) || ...);
-}
-
 /// Numbers that count from 1, where 0 is none.
 std::uint64_t from_one(std::uint64_t number) { return number == no_number ? 0 : number + 1; }
 
@@ -26,17 +21,17 @@ std::uint64_t from_one(std::uint64_t number) { return number == no_number ? 0 : 
 
 FrameTables::FrameTables(Processor& processor) : processor_(processor) {
   for (const Stage* stage : processor.stages()) {
-    if (is_one_of<ViewVectorGenerator>(stage)) generator_ = units_.size();
-    const bool nodes = is_one_of<SubdivisionController, ColorUnit, TreeAccumulator, FrameBuffer>(stage);
-    units_.push_back({nodes ? Content::nodes : is_one_of<PixelScan>(stage) ? Content::corners : Content::rays});
+    if (is_one_of<ViewVectorGenerator>(*stage)) generator_ = units_.size();
+    const bool nodes = is_one_of<SubdivisionController, ColorUnit, TreeAccumulator, FrameBuffer>(*stage);
+    units_.push_back({nodes ? Content::nodes : is_one_of<PixelScan>(*stage) ? Content::corners : Content::rays});
   }
   for (const auto& [fifo, writer, reader] : processor.wires()) {
     Content content = Content::rays;
-    if (is_one_of<PixelScan>(writer)) {
+    if (is_one_of<PixelScan>(*writer)) {
       content = Content::corners;
-    } else if (is_one_of<PixelScan>(reader)) {
+    } else if (is_one_of<PixelScan>(*reader)) {
       content = Content::nothing;
-    } else if (is_one_of<PyramidClassifier, SubdivisionController, ColorUnit, TreeAccumulator>(writer)) {
+    } else if (is_one_of<PyramidClassifier, SubdivisionController, ColorUnit, TreeAccumulator>(*writer)) {
       content = Content::nodes;
     }
     fifos_.push_back({content, fifo->size()});

@@ -26,7 +26,7 @@ struct Change {
   };
   std::vector<Step> steps;  ///< to the smallest change that meets the budget, or to the largest
   bool met;
-  FrameOutcome outcome;  ///< what capped it only where the budget is not met
+  FrameOutcome outcome;  ///< its bottleneck only where the budget is not met
   double fps;
 };
 
@@ -43,7 +43,7 @@ Change change_to(const std::vector<const BudgetSetting*>& settings, const Budget
 Change change_of(const std::vector<const BudgetSetting*>& settings, const BudgetFrame& asked) {
   const auto enough =
       settings.size() == 1 ? smallest_change(*settings[0], asked) : smallest_pair(*settings[0], *settings[1], asked);
-  if (enough) return change_to(settings, asked, enough->frame, true, {enough->cycles, 0, false, ""});
+  if (enough) return change_to(settings, asked, enough->frame, true, {enough->cycles, {}});
   BudgetFrame largest = asked;
   for (const BudgetSetting* setting : settings) {
     if (setting->can_change(largest)) largest = setting->with(largest, setting->largest_change);
@@ -61,7 +61,7 @@ struct Changes {
     alone.push_back(change_of({&settings[0]}, asked));
     // Where more units do not help, what caps them may have an interval to shorten.
     if (!alone[0].met) {
-      if (const auto interval = interval_setting(asked, alone[0].outcome.unit)) {
+      if (const auto interval = interval_setting(asked, alone[0].outcome.bottleneck.back().unit)) {
         settings.insert(settings.begin() + 1, *interval);
       }
     }
@@ -80,11 +80,6 @@ struct Changes {
     if (first_helps) pairs.push_back(pair);
   }
 };
-
-std::string cap_text(const FrameOutcome& outcome) {
-  const std::string unit = fmt::format("{}, busy {:.1f} %", outcome.unit, 100 * outcome.busy);
-  return outcome.closes_loop ? "the latency of a loop through " + unit : unit;
-}
 
 /// A line's beginning: one step in columns, two side by side.
 std::string steps_text(const Change& change, std::size_t name_width) {
@@ -108,7 +103,7 @@ std::string change_lines(const std::vector<Change>& changes) {
   for (const Change& change : changes) {
     text += fmt::format("  {:<{}}  {:>12} cycles  {:>8.1f} frames per second\n", steps_text(change, name_width), width,
                         change.outcome.cycles, change.fps);
-    if (!change.met) text += fmt::format("      not enough: capped by {}\n", cap_text(change.outcome));
+    if (!change.met) text += fmt::format("      not enough: capped by {}\n", hw::cause_text(change.outcome.bottleneck));
   }
   return text;
 }
@@ -117,8 +112,9 @@ nlohmann::ordered_json outcome_document(const Change& change) {
   nlohmann::ordered_json document{
       {"met", change.met}, {"cycles", change.outcome.cycles}, {"frames_per_second", change.fps}};
   if (!change.met) {
+    const std::vector<hw::BottleneckLink>& chain = change.outcome.bottleneck;
     document["capped_by"] = {
-        {"unit", change.outcome.unit}, {"busy", change.outcome.busy}, {"closes_loop", change.outcome.closes_loop}};
+        {"unit", chain.back().unit}, {"busy", chain.back().busy}, {"closes_loop", hw::closes_loop(chain)}};
   }
   return document;
 }

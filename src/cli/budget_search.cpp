@@ -105,8 +105,7 @@ hw::Cycle* interval_of(hw::MachineSpec& spec, const std::string& unit) {
 FrameOutcome simulate_frame(const BudgetFrame& frame, hw::Cycle max_cycles) {
   const Outcome outcome = outcome_of(frame, max_cycles);
   require_finished(outcome);
-  const hw::BottleneckLink& end = outcome.bottleneck.back();
-  return {outcome.cycles, end.busy, hw::closes_loop(outcome.bottleneck), end.unit};
+  return {outcome.cycles, outcome.bottleneck};
 }
 
 BudgetFrame BudgetSetting::with(BudgetFrame frame, int value_of_it) const {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "hw_model/report/bottleneck.h"
 #include "run/run.h"
 
 namespace pyrasim::cli {
@@ -22,12 +23,10 @@ struct BudgetFrame {
   std::map<std::string, std::string> changed;  ///< settings and their values, to name the frame by
 };
 
-/// How a frame went, and what kept it from being faster: the end of its bottleneck chain (hw_model/report).
+/// How a frame went, and what kept it from being faster: the end of its bottleneck chain.
 struct FrameOutcome {
   hw::Cycle cycles;
-  double busy;       ///< share of the cycles in which the unit worked
-  bool closes_loop;  ///< the unit waits for itself, all the way round: a latency is the cause
-  std::string unit;
+  std::vector<hw::BottleneckLink> bottleneck;
 };
 
 /// Throws LimitError where the frame is not finished within `max_cycles`.

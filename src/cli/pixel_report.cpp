@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cli/frame_table.h"
-#include "hw_model/plan/stage_list.h"
+#include "hw_model/plan/is_one_of.h"
 #include "image/srgb.h"
 #include "pyramid/classifier.h"
 #include "text/printable.h"
@@ -79,11 +79,11 @@ class Tree {
 
   template <class Kind>
   bool reads(const hw::Hop& hop) const {
-    return processor_.wires()[hop.fifo].reader->box() == hw::box_of<Kind>();
+    return hw::is_one_of<Kind>(*processor_.wires()[hop.fifo].reader);
   }
   template <class Kind>
   bool writes(const hw::Hop& hop) const {
-    return processor_.wires()[hop.fifo].writer->box() == hw::box_of<Kind>();
+    return hw::is_one_of<Kind>(*processor_.wires()[hop.fifo].writer);
   }
   /// The node's way to a stage; none where it did not go there.
   template <class Reader>
