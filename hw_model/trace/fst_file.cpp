@@ -74,8 +74,9 @@ void FstFile::set_time(std::uint64_t time) { fstWriterEmitTimeChange(writer_, ti
 
 void FstFile::change(std::size_t signal, std::string_view bits) {
   auto& [handle, value] = signals_[signal];
-  const auto zeros = static_cast<std::ptrdiff_t>(value.size() - bits.size());
-  std::copy(bits.begin(), bits.end(), std::fill_n(value.begin(), zeros, '0'));
+  const auto missing = static_cast<std::ptrdiff_t>(value.size() - bits.size());
+  const char fill = bits.front() == 'x' ? 'x' : '0';
+  std::copy(bits.begin(), bits.end(), std::fill_n(value.begin(), missing, fill));
   fstWriterEmitValueChange(writer_, handle, value.c_str());
   if (++changes_ % block_changes == 0) fstWriterFlushContext(writer_);
 }

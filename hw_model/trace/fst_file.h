@@ -28,7 +28,7 @@ class FstFile {
 
   /// The time of what follows; ascending.
   void set_time(std::uint64_t time);
-  /// `bits`: of 0 and 1, without zeros in front if need be.
+  /// `bits`: of 0 and 1, without zeros in front if need be, or x.
   void change(std::size_t signal, std::string_view bits);
 
   /// Completes the trace and appends it to `output`. Throws RunError.

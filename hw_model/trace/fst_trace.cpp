@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <charconv>
 #include <string>
 #include <vector>
 
 #include "hw_model/trace/fst_file.h"
+#include "hw_model/trace/signals.h"
 #include "hw_model/trace/vcd_code.h"
 #include "hw_model/trace/vcd_time.h"
 
@@ -29,16 +29,14 @@ void for_each_line(OutputFile& file, Take take) {
   });
 }
 
-/// Signals of the processor by their place in VcdTrace; those that are not shown have none.
+/// By the signal's place in signals_of(); those that are not shown have none.
 std::vector<std::size_t> declare(const Processor& processor, const TraceWindow& window, FstFile& file) {
   std::vector<std::size_t> numbers;
   file.begin_scope(processor.basename());
-  const auto add = [&](const std::string& name, std::size_t bits, bool states) {
-    numbers.push_back(window.shows(name) ? file.add_signal(name, bits, states) : 0);
-  };
-  for (const Stage* stage : processor.stages()) add(stage->basename(), 2, true);
-  for (const FifoBase* fifo : processor.fifos())
-    add(fifo->basename(), std::size_t(std::bit_width(fifo->depth())), false);
+  for (const Signal& signal : signals_of(processor, window)) {
+    const bool states = signal.kind == Signal::Kind::state;
+    numbers.push_back(signal.shown ? file.add_signal(signal.name, signal.bits, states) : 0);
+  }
   file.end_scope();
   return numbers;
 }

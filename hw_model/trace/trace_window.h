@@ -23,6 +23,7 @@ struct TraceWindow {
 
   std::vector<std::pair<int, int>> pixels;  ///< rows and columns on the screen, of what is rendered; none: all
   bool critical_path = false;               ///< where a format has a place for it
+  bool detail = false;                      ///< likewise: what units work on, valid and ready of FIFOs
 
   bool shows(std::string_view name) const;
   /// Whether [begin, end) has a cycle in it.

@@ -38,36 +38,39 @@ VcdTrace::VcdTrace(Processor& processor, const TraceWindow& window, OutputFile& 
       window_(window),
       output_(output),
       time_(processor.spec().clock_mhz) {
+  const std::vector<Signal> signals = signals_of(processor, window);
   const std::size_t stages = processor.stages().size();
-  signals_.resize(stages + processor.fifos().size());
-  for (std::size_t k = 0; k < signals_.size(); ++k) {
-    const bool stage = k < stages;
-    signals_[k].end = fmt::format(" {}\n", vcd_code(k));
-    signals_[k].shown =
-        window.shows(stage ? processor.stages()[k]->basename() : processor.fifos()[k - stages]->basename());
-    if (!stage) signals_[k].fill = tokens_before(*processor.fifos()[k - stages]);
+  const std::size_t tracks = stages + processor.fifos().size();
+  for (std::size_t k = 0; k < signals.size(); ++k) {
+    const std::string end = fmt::format(" {}\n", vcd_code(k));
+    if (k < tracks) {
+      Track& track = tracks_.emplace_back(end, signals[k].shown);
+      if (k >= stages) track.fill = tokens_before(*processor.fifos()[k - stages]);
+    } else {
+      values_.push_back({end, signals[k].shown});
+    }
   }
-  write_header();
+  if (values_.size() > 0) subjects_.resize(stages);
+  if (values_.size() > 3 * stages) {
+    for (std::size_t k = stages; k < tracks; ++k) handshakes_.push_back({tracks_[k].fill, tracks_[k].fill});
+    for (std::size_t k = 0; k < handshakes_.size(); ++k) set_handshake(k, 0);
+  }
+  write_header(signals);
   if (window.from == 0) write_values();
   processor.attach(*this);
 }
 
-void VcdTrace::write_header() {
+void VcdTrace::write_header(const std::vector<Signal>& signals) {
   output_.write(
       fmt::format("$version pyrasim {} $end\n$comment one cycle is one period of {} MHz; units: 0 idle, 1 busy, 2 "
                   "starved, 3 blocked "
                   "$end\n$timescale {} $end\n$scope module {} $end\n",
                   version(), processor_.spec().clock_mhz, time_.unit(), processor_.basename()));
-  const std::size_t stages = processor_.stages().size();
-  for (std::size_t k = 0; k < stages; ++k) {
-    if (!signals_[k].shown) continue;
-    output_.write(fmt::format("$var reg 2 {} {} [1:0] $end\n", vcd_code(k), processor_.stages()[k]->basename()));
-  }
-  for (std::size_t k = stages; k < signals_.size(); ++k) {
-    if (!signals_[k].shown) continue;
-    const FifoBase& fifo = *processor_.fifos()[k - stages];
-    const int bits = static_cast<int>(std::bit_width(fifo.depth()));
-    output_.write(fmt::format("$var reg {} {} {} [{}:0] $end\n", bits, vcd_code(k), fifo.basename(), bits - 1));
+  for (std::size_t k = 0; k < signals.size(); ++k) {
+    const Signal& signal = signals[k];
+    if (!signal.shown) continue;
+    output_.write(
+        fmt::format("$var reg {} {} {} [{}:0] $end\n", signal.bits, vcd_code(k), signal.name, signal.bits - 1));
   }
   output_.write("$upscope $end\n$enddefinitions $end\n");
 }
@@ -75,13 +78,16 @@ void VcdTrace::write_header() {
 void VcdTrace::write_values() {
   write_date(window_.from);
   output_.write("$dumpvars\n");
-  for (std::size_t k = 0; k < signals_.size(); ++k) {
-    if (!signals_[k].shown) continue;
+  for (std::size_t k = 0; k < tracks_.size(); ++k) {
+    if (!tracks_[k].shown) continue;
     if (k < processor_.stages().size()) {
-      write_state(signals_[k]);
+      write_state(tracks_[k]);
     } else {
-      write_fill(signals_[k]);
+      write_fill(tracks_[k]);
     }
+  }
+  for (const Value& value : values_) {
+    if (value.shown) write_value(value);
   }
   output_.write("$end\n");
 }
@@ -90,16 +96,20 @@ void VcdTrace::take_shown(const Event& event) {
   write_before(event.at);
   window_.end_if_full(output_.size(), event.at);
   const std::size_t fifo = processor_.stages().size() + event.source;
-  if (!signals_[event.kind == Event::Kind::firing ? event.source : fifo].shown) return;
+  if (!tracks_[event.kind == Event::Kind::firing ? event.source : fifo].shown) return;
   switch (event.kind) {
     case Event::Kind::read:
       agenda_.push({event.at + 1, fifo, Change::loses});
       break;
     case Event::Kind::write:
       agenda_.push({event.at, fifo, Change::gains});
+      if (handshakes_.empty()) break;
+      agenda_.push({event.at + 1, fifo, Change::settles});
+      agenda_.push({event.until, fifo, Change::arrives});
       break;
     case Event::Kind::firing:
-      if (auto& gap = signals_[event.source].gap) {
+      if (!subjects_.empty()) subjects_[event.source] = event.subject;
+      if (auto& gap = tracks_[event.source].gap) {
         output_.overwrite(*gap, bits_of(event.waited));
         gap.reset();
       }
@@ -123,30 +133,38 @@ void VcdTrace::write_before(Cycle date) {
 /// A stage that fires in the cycle in which it comes to rest stays busy, a FIFO that gains and loses keeps its fill.
 void VcdTrace::write_changes(Cycle at) {
   if (!written_ && at > window_.from) write_values();
-  const bool shown = written_ && at < window_.to;
+  const std::size_t stages = processor_.stages().size();
   while (!agenda_.empty() && agenda_.top().at == at) {
     const std::size_t number = agenda_.top().signal;
-    Signal& signal = signals_[number];
-    bool fires = false;
-    bool rests = false;
-    std::size_t fill = signal.fill;
+    Track& track = tracks_[number];
+    std::array<std::size_t, 6> times{};  // by Change
     for (; !agenda_.empty() && agenda_.top().at == at && agenda_.top().signal == number; agenda_.pop()) {
-      const Change change = agenda_.top().change;
-      fires |= change == Change::fires;
-      rests |= change == Change::rests;
-      if (change == Change::gains) ++fill;
-      if (change == Change::loses) --fill;
+      ++times[static_cast<std::size_t>(agenda_.top().change)];
     }
-    if (fires == rests && fill == signal.fill) continue;
-    if (shown && written_ != at) write_date(at);
-    if (fires || rests) {
-      signal.state = fires ? StageState::busy : StageState::idle;
-      if (shown) write_state(signal);
-    } else {
-      signal.fill = fill;
-      if (shown) write_fill(signal);
+    const auto [fires, rests, gains, loses, arrives, settles] = times;
+    if (fires != rests) {
+      track.state = fires > 0 ? StageState::busy : StageState::idle;
+      if (begin_line(at)) write_state(track);
+    }
+    if (gains != loses) {
+      track.fill += gains - loses;
+      if (begin_line(at)) write_fill(track);
+    }
+    if (fires > 0 && !subjects_.empty()) set_subject(number, at);
+    if (number >= stages && !handshakes_.empty()) {
+      Handshake& handshake = handshakes_[number - stages];
+      handshake.readable += arrives - loses;
+      handshake.settled += settles - loses;
+      set_handshake(number - stages, at);
     }
   }
+}
+
+/// Whether a change at a date is in the window, whose first values have been written; if so, after its date.
+bool VcdTrace::begin_line(Cycle at) {
+  if (!written_ || at >= window_.to) return false;
+  if (written_ != at) write_date(at);
+  return true;
 }
 
 void VcdTrace::write_date(Cycle at) {
@@ -156,17 +174,49 @@ void VcdTrace::write_date(Cycle at) {
 }
 
 /// What a stage that rests waits for, is known later.
-void VcdTrace::write_state(Signal& signal) {
-  signal.gap.reset();
-  if (signal.state != StageState::busy) signal.gap = output_.size() + 1;
+void VcdTrace::write_state(Track& track) {
+  track.gap.reset();
+  if (track.state != StageState::busy) track.gap = output_.size() + 1;
   output_.write("b");
-  output_.write(bits_of(signal.state));
-  output_.write(signal.end);
+  output_.write(bits_of(track.state));
+  output_.write(track.end);
 }
 
-void VcdTrace::write_fill(const Signal& signal) {
+void VcdTrace::write_fill(const Track& track) {
   std::array<char, 80> buffer;
-  output_.write(line(buffer, 'b', signal.fill, 2, signal.end));
+  output_.write(line(buffer, 'b', track.fill, 2, track.end));
+}
+
+void VcdTrace::set_subject(std::size_t stage, Cycle at) {
+  const Subject& subject = subjects_[stage];
+  std::uint64_t row = no_number;
+  std::uint64_t column = no_number;
+  if (subject.pixel != no_pixel) std::tie(row, column) = processor_.place_of(subject.pixel);
+  set(values_[3 * stage], row, at);
+  set(values_[3 * stage + 1], column, at);
+  set(values_[3 * stage + 2], subject.ray, at);
+}
+
+void VcdTrace::set_handshake(std::size_t fifo, Cycle at) {
+  const std::size_t first = 3 * subjects_.size() + 2 * fifo;
+  set(values_[first], handshakes_[fifo].readable > 0 ? 1 : 0, at);
+  set(values_[first + 1], handshakes_[fifo].settled < processor_.fifos()[fifo]->depth() ? 1 : 0, at);
+}
+
+void VcdTrace::set(Value& value, std::uint64_t number, Cycle at) {
+  if (value.number == number) return;
+  value.number = number;
+  if (begin_line(at)) write_value(value);
+}
+
+void VcdTrace::write_value(const Value& value) {
+  if (value.number == no_number) {
+    output_.write("bx");
+    output_.write(value.end);
+    return;
+  }
+  std::array<char, 80> buffer;
+  output_.write(line(buffer, 'b', value.number, 2, value.end));
 }
 
 }  // namespace pyrasim::hw

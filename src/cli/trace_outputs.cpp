@@ -65,6 +65,13 @@ TraceOutputs::TraceOutputs(const TraceOptions& asked, const PixelWindow& rendere
   if (asks_for_a_part && asked.files.empty()) {
     throw UsageError("--trace-from, --trace-to, --trace-unit, --trace-pixel and --trace-limit go with --trace FILE");
   }
+  const auto shows_signals = [](const std::string& file) {
+    const std::string_view ending = format_of(file).ending;
+    return ending == ".vcd" || ending == ".fst" || ending == ".gtkw";
+  };
+  if (window_.detail && std::none_of(asked.files.begin(), asked.files.end(), shows_signals)) {
+    throw UsageError("--trace-detail goes with --trace FILE.vcd, FILE.fst or FILE.gtkw");
+  }
   if (asked.limit) window_.limit = parse_bytes(*asked.limit);
   for (const std::string& file : asked.files) {
     plan.writes("--trace", file, endings());
@@ -129,6 +136,9 @@ void TraceOptions::add(const Command& command) {
       .type_name("GLOB");
   command.add_texts("--trace-pixel", pixels, "only what is about this pixel: its rays and nodes; repeatable")
       .type_name("ROW,COLUMN");
+  command.add_flag("--trace-detail", window.detail,
+                   ".vcd, .fst and .gtkw have signals more: row, column and ray that units work on, valid and ready of "
+                   "FIFOs");
   command
       .add_text(
           "--trace-limit", limit,

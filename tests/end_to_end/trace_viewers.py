@@ -39,19 +39,21 @@ def sums(changes, end):
 
 
 def value_changes(text):
-    """Of a VCD: the set of (time, name, value) where the value is another than before, and the end."""
+    """Of a VCD: the set of ((time, name), value) where the value is another than before, and the end. Of several at one time
+    the last is meant. A value of x is None; before its first one a signal has it."""
     header, body = text.split("$enddefinitions $end\n")
     names = {code: name for code, name in re.findall(r"^\$var reg \d+ (\S+) (\w+) ", header, re.M)}
-    values, changes, now = {}, set(), 0
+    values, changes, now = {}, {}, 0
     for line in body.splitlines():
         if line.startswith("#"):
             now = int(line[1:])
-        elif line.startswith("b") and "x" not in line:
-            bits, code = line[1:].split()
-            if values.get(code) != int(bits, 2):
-                values[code] = int(bits, 2)
-                changes.add((now, names[code], values[code]))
-    return changes, now
+        elif line[:1] in ("b", "0", "1", "x"):
+            bits, code = line[1:].split() if line[0] == "b" else (line[0], line[1:])
+            value = None if "x" in bits else int(bits, 2)
+            if values.get(code) != value:
+                values[code] = value
+                changes[now, names[code]] = value
+    return set(changes.items()), now
 
 
 class PerfettoProcessor:
@@ -131,20 +133,31 @@ class Viewers(tool.EndToEnd):
                 self.assertEqual(cycles[state], unit[state], (unit["name"], state))
 
     def check_signals(self, document, changes, end):
-        """`changes`: of the signals by name, with numbers as values."""
+        """`changes`: of the signals by name, with numbers as values, None for x; with details."""
         self.assertEqual(end, document["machine"]["cycles"] * NANOSECONDS)
-        self.assertEqual(set(changes), {part["name"] for part in document["units"] + document["fifos"]})
+        names = set()
+        for unit in document["units"]:
+            names |= {unit["name"] + suffix for suffix in ("", "_row", "_column", "_ray")}
+        for fifo in document["fifos"]:
+            names |= {fifo["name"] + suffix for suffix in ("", "_valid", "_ready")}
+        self.assertEqual(set(changes), names)
+        self.assertEqual([value for _, value in changes["view_vector_generator_ray"]],
+                         [None, *range(document["rays"]["total"])])
         self.check_units(document, lambda name: collections.Counter(
             {STATES[value]: cycles for value, cycles in sums(changes[name], end).items()}))
         for fifo in document["fifos"]:
             cycles = sums(changes[fifo["name"]], end)
             self.assertEqual(max(value for value, length in cycles.items() if length > 0), fifo["max"], fifo["name"])
+        # And what own eyes see in the same trace.
+        seen = {(time, name): value for name, its in changes.items()
+                for (_, before), (time, value) in zip([(0, None), *its], its) if value != before}
+        self.assertEqual(set(seen.items()) ^ value_changes((self.folder / "x.vcd").read_text())[0], set())
 
     @needs("fst2vcd")
     def test_fst2vcd(self):
         """The `.fst` has the changes of the VCD, of all of a frame, of a part, and of a frame that was broken off."""
         for more in ([], ["--trace-from", "1000", "--trace-to", "2500", "--trace-unit", "[!s]*"], ["--set", "clock_mhz=333"],
-                     ["--max-cycles", "3000"]):
+                     ["--max-cycles", "3000"], ["--trace-detail"]):
             self.run_tool("simulate", *FRAMES[0], *more, "--trace", "x.vcd", "--trace", "x.fst")
             self.program("fst2vcd", "-f", "x.fst", "-o", "y.vcd")
             changes, end = value_changes((self.folder / "x.vcd").read_text())
@@ -163,7 +176,7 @@ class Viewers(tool.EndToEnd):
         """The save file shows every signal by its name, the states by theirs."""
         with screen() as display:
             for frame in FRAMES:
-                document = self.traced(frame, "vcd", "fst", "gtkw")
+                document = self.traced([*frame, "--trace-detail"], "vcd", "fst", "gtkw")
                 units, fifos = ([part["name"] for part in document[kind]] for kind in ("units", "fifos"))
                 for ending in ("vcd", "fst"):
                     text = self.program("gtkwave", "-S", VIEWERS / "gtkwave.tcl", f"x.{ending}", "x.gtkw", DISPLAY=display,
@@ -171,7 +184,10 @@ class Viewers(tool.EndToEnd):
                     lines = [line.split("\t") for line in text.splitlines()]
                     rows = {line[1]: line[2] for line in lines if line[0] == "ROW"}
                     self.assertEqual([line[1] for line in lines if line[0] == "ROW"],
-                                     ["units", *units, "units", "FIFOs", *fifos, "FIFOs"])
+                                     ["units", *(unit + suffix for unit in units for suffix in ("", "_row", "_column", "_ray")),
+                                      "units",
+                                      "FIFOs", *(fifo + suffix for fifo in fifos for suffix in ("", "_valid", "_ready")),
+                                      "FIFOs"])
                     self.assertEqual({rows[name] for name in units} - set(STATES), set())
                     changes, end = {}, int(lines[-1][1])
                     for kind, name, words in (line[1:] for line in lines if line[0] == "CHANGES"):
@@ -180,15 +196,15 @@ class Viewers(tool.EndToEnd):
                         if kind == "row" and name in units:
                             changes[name] = [(time, STATES.index(value.removeprefix("0x"))) for time, value in values]
                         signal = re.match(r"(?:processor\.)?(\w+)", name).group(1)
-                        if kind == "signal" and signal in fifos:
-                            changes[signal] = [(time, int(value, 0)) for time, value in values]
+                        if kind == "signal" and signal not in units:
+                            changes[signal] = [(time, None if "X" in value else int(value, 0)) for time, value in values]
                     self.check_signals(document, changes, end)
 
     @needs("node", "npm")
     def test_vcd_stream(self):
         modules = node_modules()
         for frame in FRAMES:
-            document = self.traced(frame, "vcd")
+            document = self.traced([*frame, "--trace-detail"], "vcd")
             read = json.loads(self.program("node", VIEWERS / "vcd_stream.cjs", modules, self.folder / "x.vcd"))
             self.assertEqual(read["timescale"], "1 ns")
             self.check_signals(document, read["changes"], read["end"])

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The trace, read by a reader of its own, says the same as the statistics."""
 
+import bisect
+import collections
 import os
 import re
 import subprocess
@@ -39,11 +41,11 @@ class Vcd:
                 assert now == 0
                 dumping = line == "$dumpvars"
             else:
-                bits, code = re.fullmatch(r"b([01]+) (\S+)", line).groups()
+                bits, code = re.fullmatch(r"b(x|[01]+) (\S+)", line).groups()
                 changes = self.signals[names[code]]
                 assert len(bits) <= self.widths[names[code]]
                 assert dumping == (not changes), line  # each has one initial value, first
-                changes.append((now, int(bits, 2)))
+                changes.append((now, None if bits == "x" else int(bits, 2)))
         self.end = now
 
     def cycle(self, time):
@@ -94,6 +96,42 @@ class Trace(tool.EndToEnd):
         self.check(keel, "--size", "16x12", "--set", "fifos.all=1", "--set", "frame_buffer.interval=7")
         self.check(SCENES / "fins.json", "--size", "1x1")
         self.check(self.write("empty.json", tool.scene([])))
+
+    def test_details(self):
+        """What units work on is what `.json` says; rays are issued in order, each pixel is stored once; FIFOs are valid while
+        there is a token to be read, ready while there is room."""
+        for machine in ("small.json", "wide.json"):
+            document = self.stats("simulate", SCENES / "shadows.json", "--size", "24x18", "--window", "3,5,12,9", "--machine",
+                                  MACHINES / machine, "--trace-detail", "--trace", "x.vcd", "--trace", "x.json")
+            vcd = Vcd((self.folder / "x.vcd").read_text(), document["machine"]["clock_mhz"])
+            plain = [part["name"] for part in document["units"] + document["fifos"]]
+            self.assertEqual(list(vcd.signals), plain + [f"{unit['name']}_{part}" for unit in document["units"]
+                                                         for part in ("row", "column", "ray")]
+                             + [f"{fifo['name']}_{part}" for fifo in document["fifos"] for part in ("valid", "ready")])
+            self.assertEqual([value for _, value in vcd.signals["view_vector_generator_ray"]],
+                             [None, *range(document["rays"]["total"])])
+            row, column, places = None, None, set()
+            changes = collections.defaultdict(dict)
+            for part in ("row", "column"):
+                for time, value in vcd.signals[f"frame_buffer_{part}"]:
+                    changes[time][part] = value
+            for time in sorted(changes):
+                row, column = changes[time].get("row", row), changes[time].get("column", column)
+                self.assertNotIn((row, column), places)
+                places.add((row, column))
+            self.assertEqual(places, {(None, None), *((5 + row, 3 + column) for row in range(9) for column in range(12))})
+            slices = [event for event in tool.read_json(self.folder / "x.json") if "ray" in event.get("args", {})]
+            self.assertGreater(len(slices), 1000)
+            names = [unit["name"] for unit in document["units"]]
+            for event in slices:
+                rays = vcd.signals[f"{names[event['tid'] - 1]}_ray"]
+                self.assertEqual(rays[bisect.bisect(rays, event["ts"], key=lambda change: change[0]) - 1][1],
+                                 event["args"]["ray"], event)
+
+    def test_details_want_a_waveform(self):
+        for files in ([], ["--trace", "x.json"]):
+            self.refused(tool.USAGE, "simulate", SCENES / "keel.json", "--trace-detail", *files,
+                         says="--trace-detail goes with --trace FILE.vcd, FILE.fst or FILE.gtkw")
 
     def test_time_is_the_clocks(self):
         """The unit is as stated, exact where a cycle is a whole number of it, and never off by more than a half."""

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a VCD with vcd-stream and prints, as JSON, each signal's changes: name to the list of [time, value].
+// Reads a VCD with vcd-stream and prints, as JSON, each signal's changes: name to the list of [time, value]; x is null.
 // Usage: node vcd_stream.cjs NODE_MODULES FILE
 'use strict';
 const fs = require('fs');
@@ -23,7 +23,8 @@ async function main() {
     }
   };
   parser.on('$enddefinitions', () => declare(parser.info.wires));
-  parser.change.any((code, time, command, value) => changes[codes[code]].push([Number(time), Number(value)]));
+  parser.change.any((code, time, command, value, mask) =>
+    changes[codes[code]].push([Number(time), mask ? null : Number(value)]));
   fs.createReadStream(file).pipe(parser).on('finish', () => {
     console.log(JSON.stringify({timescale: parser.info.timescale, end: Number(parser.getTime()), changes}));
   });

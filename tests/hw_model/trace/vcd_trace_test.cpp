@@ -59,6 +59,8 @@ TEST(VcdTime, IsRoundedWhereThereIsNoSuchUnit) {
   EXPECT_EQ(slow.date(3'000'000'000'000), 4'000'000'000'000'000'000U);
 }
 
+constexpr unsigned long unknown = no_number;  // x
+
 /// The value of every signal in every cycle, by its name, as a VCD file of one step a cycle says.
 std::map<std::string, std::vector<unsigned long>> read_vcd(const std::string& text, Cycle cycles) {
   std::map<std::string, std::string> names;
@@ -78,10 +80,10 @@ std::map<std::string, std::vector<unsigned long>> read_vcd(const std::string& te
       names[code] = name;
     } else if (word[0] == '#') {
       go_to(std::stoull(word.substr(1)));
-    } else if (word[0] == 'b' && word.find_first_not_of("01", 1) == std::string::npos) {
+    } else if (word == "bx" || (word[0] == 'b' && word.find_first_not_of("01", 1) == std::string::npos)) {
       std::string code;
       words >> code;
-      const unsigned long value = std::stoul(word.substr(1), nullptr, 2);
+      const unsigned long value = word == "bx" ? unknown : std::stoul(word.substr(1), nullptr, 2);
       const auto [signal, first] = now.try_emplace(names.at(code), value);
       EXPECT_TRUE(first || signal->second != value) << names.at(code) << " does not change at " << at;
       signal->second = value;
@@ -120,6 +122,70 @@ std::map<std::string, std::vector<unsigned long>> counted(const EventList& list,
   return values;
 }
 
+/// The details, from the events.
+std::map<std::string, std::vector<unsigned long>> counted_details(const EventList& list,
+                                                                  const std::vector<std::size_t>& preloaded) {
+  const Processor& machine = list.machine();
+  const std::size_t cycles = machine.cycles();
+  std::map<std::string, std::vector<unsigned long>> values;
+  for (const Stage* stage : machine.stages()) {
+    const std::string name = stage->basename();
+    std::vector<unsigned long>& rows = values[name + "_row"];
+    std::vector<unsigned long>& columns = values[name + "_column"];
+    std::vector<unsigned long>& rays = values[name + "_ray"];
+    for (std::vector<unsigned long>* all : {&rows, &columns, &rays}) all->assign(cycles, unknown);
+    for (const Event& firing : list.of(Event::Kind::firing, name)) {
+      for (std::size_t at = firing.at; at < cycles; ++at) {
+        const bool has_pixel = firing.subject.pixel != no_pixel;
+        const auto [row, column] = has_pixel ? machine.place_of(firing.subject.pixel) : std::pair(0, 0);
+        rows[at] = has_pixel ? static_cast<unsigned long>(row) : unknown;
+        columns[at] = has_pixel ? static_cast<unsigned long>(column) : unknown;
+        rays[at] = firing.subject.ray;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < preloaded.size(); ++k) {
+    const std::string name = machine.fifos()[k]->basename();
+    std::vector<std::size_t> readable(cycles, preloaded[k]);
+    std::vector<std::size_t> taken = readable;  // cells, when the cycle begins
+    for (const Event& write : list.of(Event::Kind::write, name)) {
+      for (std::size_t at = write.until; at < cycles; ++at) ++readable[at];
+      for (std::size_t at = write.at + 1; at < cycles; ++at) ++taken[at];
+    }
+    for (const Event& read : list.of(Event::Kind::read, name)) {
+      for (std::size_t at = read.at + 1; at < cycles; ++at) --readable[at], --taken[at];
+    }
+    for (std::size_t at = 0; at < cycles; ++at) {
+      values[name + "_valid"].push_back(readable[at] > 0 ? 1 : 0);
+      values[name + "_ready"].push_back(taken[at] < machine.fifos()[k]->depth() ? 1 : 0);
+    }
+  }
+  return values;
+}
+
+/// A FIFO is valid when it is read and ready when it is written, and a stage that waits for it waits while it is not.
+void expect_handshakes(const EventList& list, const std::map<std::string, std::vector<unsigned long>>& values) {
+  const Processor& machine = list.machine();
+  for (const Event& event : list.all()) {
+    if (event.kind != Event::Kind::firing) {
+      const char* signal = event.kind == Event::Kind::read ? "_valid" : "_ready";
+      EXPECT_EQ(values.at(list.name_of(event) + signal)[event.at], 1U) << list.name_of(event) << " at " << event.at;
+    } else if (event.cause != no_fifo && event.waited != StageState::idle) {
+      const std::string fifo = machine.fifos()[event.cause]->basename();
+      const auto& signal = values.at(fifo + (event.waited == StageState::starved ? "_valid" : "_ready"));
+      for (Cycle at = event.since; at < event.at; ++at) {
+        EXPECT_EQ(signal[at], 0U) << list.name_of(event) << " waits for " << fifo << " at " << at;
+      }
+    }
+  }
+}
+
+TraceWindow all_of_it() {
+  TraceWindow window;
+  window.detail = true;
+  return window;
+}
+
 using VcdTraceTest = TemporaryFolder;
 
 TEST_F(VcdTraceTest, HoldsEverySignalInEveryCycle) {
@@ -129,7 +195,7 @@ TEST_F(VcdTraceTest, HoldsEverySignalInEveryCycle) {
     OutputFile output;
     VcdTrace vcd;
     Traced(Processor& machine, const std::filesystem::path& file)
-        : events(machine), output(file), vcd(machine, {}, output) {
+        : events(machine), output(file), vcd(machine, all_of_it(), output) {
       for (const FifoBase* fifo : machine.fifos()) preloaded.push_back(fifo->size());
     }
   };
@@ -151,7 +217,10 @@ TEST_F(VcdTraceTest, HoldsEverySignalInEveryCycle) {
     traced.vcd.finish(traced.events.machine().cycles());
     traced.output.commit();
     const auto values = read_vcd(contents(traced.output.path()), traced.events.machine().cycles());
-    EXPECT_TRUE(values == counted(traced.events, traced.preloaded));
+    auto expected = counted(traced.events, traced.preloaded);
+    expected.merge(counted_details(traced.events, traced.preloaded));
+    EXPECT_TRUE(values == expected);
+    expect_handshakes(traced.events, values);
   }
 }
 
