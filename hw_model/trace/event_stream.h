@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <systemc>
 #include <vector>
@@ -28,11 +29,14 @@ class EventStream {
       for (EventSink* sink : early_sinks_) sink->take(event);
     }
     if (sinks_.empty()) return;
-    held_.push_back(event);
-    if (follows_kernel_ && held_.size() == 1) next_cycle();
+    Lanes& lanes = lanes_[static_cast<std::size_t>(event.kind)];
+    if (event.source >= lanes.of.size()) lanes.add(event.source);
+    if (lanes.of[event.source].empty()) lanes.next[event.source] = event.at;
+    lanes.of[event.source].push_back(event);
+    if (++held_ == 1 && follows_kernel_) next_cycle();
   }
   /// Whether enough is held for a watermark to pay.
-  bool due() const { return held_.size() >= due_at_; }
+  bool due() const { return held_ >= due_at_; }
   /// Hands all events before `watermark` to the sinks.
   void release(Cycle watermark);
   /// For a machine whose dates are the kernel's: releases every cycle's events in the next one by itself. Before the
@@ -40,16 +44,32 @@ class EventStream {
   void follow_kernel();
 
   /// The most events held at once.
-  std::size_t peak() const { return std::max(peak_, held_.size()); }
+  std::size_t peak() const { return std::max(peak_, held_); }
 
  private:
-  static constexpr std::size_t least_due = 4096;  ///< so that sorting costs little
+  static constexpr std::size_t least_due = 4096;  ///< so that what is left over each time matters little
 
+  /// The events of one kind that are held, by source. Those of a source ascend.
+  struct Lanes {
+    std::vector<std::vector<Event>> of;
+    std::vector<Cycle> next;         ///< the date of the first that has not been released; `never`: there is none
+    std::vector<std::size_t> place;  ///< of that one
+
+    void add(std::size_t source);
+    /// Appends those of a date.
+    void take(Cycle at, std::vector<Event>& events);
+    /// Forgets what has been taken.
+    void tidy();
+  };
+
+  Cycle next_date() const;
   void next_cycle();
 
   std::vector<EventSink*> sinks_;        ///< that take events in order
   std::vector<EventSink*> early_sinks_;  ///< the others
-  std::vector<Event> held_;              ///< in the order in which they came
+  std::array<Lanes, 3> lanes_;           ///< by Event::Kind
+  std::vector<Event> same_date_;         ///< those being released
+  std::size_t held_ = 0;                 ///< events
   std::size_t due_at_ = least_due;
   std::size_t peak_ = 0;
   Subjects subjects_;

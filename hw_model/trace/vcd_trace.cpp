@@ -44,8 +44,8 @@ VcdTrace::VcdTrace(Processor& processor, const TraceWindow& window, OutputFile& 
   for (std::size_t k = 0; k < signals.size(); ++k) {
     const std::string end = fmt::format(" {}\n", vcd_code(k));
     if (k < tracks) {
-      Track& track = tracks_.emplace_back(end, signals[k].shown);
-      if (k >= stages) track.fill = tokens_before(*processor.fifos()[k - stages]);
+      tracks_.push_back({end, signals[k].shown});
+      if (k >= stages) tracks_.back().fill = tokens_before(*processor.fifos()[k - stages]);
     } else {
       values_.push_back({end, signals[k].shown});
     }

@@ -54,7 +54,7 @@ class VcdTrace final : public Trace, public WindowedSink {
     bool shown = false;
     StageState state = StageState::idle;  ///< of a stage: busy or idle
     std::size_t fill = 0;                 ///< of a FIFO, as it was written last
-    std::optional<std::uint64_t> gap;     ///< of a stage that rests: where in the file its value stands
+    std::optional<std::uint64_t> gap{};   ///< of a stage that rests: where in the file its value stands
   };
   /// A signal whose value is known at once.
   struct Value {
