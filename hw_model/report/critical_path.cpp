@@ -58,7 +58,7 @@ CriticalPath::Number CriticalPath::cause_of(const Event& firing) const {
 
 CriticalPath::Number CriticalPath::add(const Event& firing) {
   const Number cause = cause_of(firing);
-  Number number = static_cast<Number>(firings_.size());
+  auto number = static_cast<Number>(firings_.size());
   if (unused_.empty()) {
     firings_.emplace_back();
   } else {

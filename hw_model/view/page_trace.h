@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "hw_model/trace/trace.h"
 #include "hw_model/view/frame_tables.h"
@@ -12,8 +13,8 @@ namespace pyrasim::hw {
 class PageTrace final : public Trace {
  public:
   /// `run` describes scene and settings.
-  PageTrace(Processor& processor, const nlohmann::ordered_json& run, OutputFile& output)
-      : processor_(processor), run_(run), output_(output), tables_(processor) {}
+  PageTrace(Processor& processor, nlohmann::ordered_json run, OutputFile& output)
+      : processor_(processor), run_(std::move(run)), output_(output), tables_(processor) {}
 
   void finish(Cycle cycles) override;
 
