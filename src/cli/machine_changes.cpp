@@ -92,7 +92,7 @@ void apply(json& document, json& recorded, const hw::MachineSpec& base, const st
   const auto relative = relative_value(value);
   for (const std::string& path : paths_of(change.substr(0, equals), base, change)) {
     if (!relative) {
-      apply_override(document, path + "=" + value, "whatif");
+      apply_override(document, fmt::format("{}={}", path, value), "whatif");
       continue;
     }
     const json& node = at(recorded, path);

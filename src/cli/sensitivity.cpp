@@ -126,7 +126,7 @@ double lengthened(const Path& path, const Load& before, const Load& after) {
   double cycles = path.of_box("occupied", before.box) * (work * before.units / after.units - 1) +
                   path.of_box("service", before.box) * (work - 1);
   if (before.latency > before.interval) {
-    const double each = static_cast<double>(before.latency - before.interval);
+    const auto each = static_cast<double>(before.latency - before.interval);
     const double longer = static_cast<double>(after.latency) - static_cast<double>(before.latency);
     cycles += path.of_box("latency", before.box) / each * longer;
   }
