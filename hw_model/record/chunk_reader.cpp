@@ -14,8 +14,9 @@
 namespace pyrasim::hw {
 namespace {
 
-/// None where `bytes` are not a whole stream of zlib.
+/// None where `bytes` are not a whole stream of zlib, or one of more than most_content_bytes.
 std::optional<std::string> decompressed(std::string_view bytes) {
+  if (bytes.size() > most_content_bytes) return std::nullopt;
   z_stream stream{};
   if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
   stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
@@ -23,7 +24,7 @@ std::optional<std::string> decompressed(std::string_view bytes) {
   std::string content;
   std::array<char, 65536> piece{};
   int result = Z_OK;
-  while (result == Z_OK) {
+  while (result == Z_OK && content.size() <= most_content_bytes) {
     stream.next_out = reinterpret_cast<Bytef*>(piece.data());
     stream.avail_out = piece.size();
     result = inflate(&stream, Z_NO_FLUSH);
@@ -31,7 +32,8 @@ std::optional<std::string> decompressed(std::string_view bytes) {
   }
   inflateEnd(&stream);
   if (result == Z_MEM_ERROR) throw std::bad_alloc();
-  return result == Z_STREAM_END && stream.avail_in == 0 ? std::optional(std::move(content)) : std::nullopt;
+  const bool whole = result == Z_STREAM_END && stream.avail_in == 0 && content.size() <= most_content_bytes;
+  return whole ? std::optional(std::move(content)) : std::nullopt;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The container of .ptrace files: docs/ptrace.md.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "files/output_file.h"
@@ -10,6 +11,9 @@ namespace pyrasim::hw {
 
 /// The first line of the file.
 inline constexpr std::string_view ptrace_magic = "pyrasim trace 1\n";
+
+/// What a compressed content has at the most: more than a table of any machine and scene needs.
+inline constexpr std::size_t most_content_bytes = std::size_t{32} << 20U;
 
 /// What a chunk holds. Readers pass over those that they do not know.
 enum class ChunkType : char {

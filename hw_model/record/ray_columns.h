@@ -14,6 +14,9 @@ namespace pyrasim::hw {
 /// tested, of each kind of surface and each light with shadows that the scene has.
 class RayColumns {
  public:
+  /// How many there are where a scene has every kind of surface, and as many lights with shadows as are allowed.
+  static constexpr std::size_t most = 4 + 2 * (1 + surface_kinds) + max_shadow_lights;
+
   explicit RayColumns(const SceneContents& contents);
 
   /// Of each number: "row", "column", "object" (counted from 1; 0: none), "lights", "box_tests", "surface_tests.sphere"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hw_model/record/run_trace.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "image/image_hash.h"
@@ -14,6 +15,9 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::size_t rows_of_chunk = 65536;
+constexpr std::size_t longest_number = 5;  ///< bytes of a difference of two numbers of 32 bits
+static_assert(longest_number * (1 + rows_of_chunk * std::max(RayColumns::most, NodeColumns::size)) <=
+              most_content_bytes);
 
 ordered_json stages_document(const Processor& processor) {
   ordered_json stages = ordered_json::array();

@@ -109,6 +109,14 @@ void require_objects(const std::string& name, const hw::WorkTable& rays, std::si
   }
 }
 
+/// Fewer rays than corners are no frame, however large it claims to be: noticed before that takes memory.
+void require_rays(const JsonReader& header, std::size_t rays, const PixelWindow& window) {
+  if (rays / (static_cast<std::size_t>(window.columns) + 1) > static_cast<std::size_t>(window.rows)) return;
+  header.fail(fmt::format("{} rays are recorded, and a frame of {}x{} pixels has more corners", rays, window.columns,
+                          window.rows),
+              "the file has to be as simulate wrote it");
+}
+
 /// Every frame traces the corners of its raster.
 void require_corners(const JsonReader& header, const hw::PointTable& rays, const Run& run) {
   const PixelWindow window = run.rendered();
@@ -145,6 +153,7 @@ RecordedRun load_recorded_run(const std::filesystem::path& file) {
                          read_events(arithmetic.member("intersection"))};
   recorded.scene = scene_of(run);
   require_objects(name, content.rays, recorded.scene->objects.size());
+  require_rays(header, content.rays.rows(), recorded.run.rendered());
   const std::size_t textured = size_of(run.member("textured_objects"));
   const auto points = [&run = recorded.run](const hw::WorkTable& rows) {
     return hw::PointTable(rows, run.rendered(), run.max_level);

@@ -13,13 +13,11 @@ import tool
 from settings import SHADOWED, TEXTURED
 from tool import MACHINES, SCENES
 
-MAGIC = b"pyrasim trace 1\n"
-
 
 def chunks(data):
     """Type and content of each whole chunk."""
-    assert data.startswith(MAGIC)
-    at = len(MAGIC)
+    assert data.startswith(tool.PTRACE_MAGIC)
+    at = len(tool.PTRACE_MAGIC)
     while at < len(data):
         kind = chr(data[at])
         try:

@@ -88,6 +88,27 @@ def varint(data, at):
             return value, at
 
 
+def varint_of(value):
+    """Its bytes, likewise."""
+    data = b""
+    while value >= 0x80:
+        data += bytes([value & 0x7F | 0x80])
+        value >>= 7
+    return data + bytes([value])
+
+
+PTRACE_MAGIC = b"pyrasim trace 1\n"
+
+
+def ptrace_chunks(data):
+    """The chunks of a .ptrace file, each as it stands there; the last one may be cut."""
+    at = len(PTRACE_MAGIC)
+    while at < len(data):
+        length, content = varint(data, at + 1)
+        yield data[at:content + length]
+        at = content + length
+
+
 def messages(stderr):
     """Its lines but those that tell how far a run of more than ten seconds is, as any may be on a busy machine."""
     return [line for line in stderr.splitlines() if not re.fullmatch(r"[a-z0-9 ]+: \d+ %", line)]
@@ -130,14 +151,14 @@ class EndToEnd(unittest.TestCase):
         self.assertEqual(len(messages(run.stderr)), warnings, run.stderr)
         return run.stdout
 
-    def memory(self, *arguments):
-        """The most that a run takes, bytes; AddressSanitizer keeps little of what is freed."""
+    def memory(self, *arguments, code=OK):
+        """The most that a run that ends with `code` takes, bytes; AddressSanitizer keeps little of what is freed."""
         environment = os.environ | {"ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=8"}
         process = subprocess.Popen([PYRASIM, *map(str, arguments)], stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.DEVNULL, cwd=self.folder, env=environment)
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL if code else None, cwd=self.folder, env=environment)
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
-        self.assertEqual(process.returncode, OK)
+        self.assertEqual(process.returncode, code)
         return 1024 * usage.ru_maxrss
 
     def stats(self, *arguments):

@@ -5,6 +5,7 @@ import csv
 import io
 import json
 import random
+import zlib
 
 import tool
 from settings import BESIDE, SHADOWED, TEXTURED, schema_leaves, settings
@@ -198,9 +199,38 @@ class Whatif(tool.EndToEnd):
             self.write("bad.ptrace", data.replace(old, new))
             for command in (["whatif"], ["view", "-o", "x.html"]):
                 self.refused(INPUT, *command, "bad.ptrace", says="bad.ptrace: ")
-        magic, rest = data[:16], data[16:]
-        self.write("more.ptrace", magic + rest[:-1] + rest[-1:] + b"Q\x03abc")
-        self.ok("whatif", "more.ptrace")
+        head, *rest = tool.ptrace_chunks(data)
+        _, at = tool.varint(head, 1)
+        header = head[at:].replace(b'"columns":16', b'"columns":9000').replace(b'"rows":12', b'"rows":9000')
+        huge = tool.PTRACE_MAGIC + b"".join([b"H", tool.varint_of(len(header)), header, *rest])
+        rays = self.points("run.ptrace")[0]["statistics"]["rays"]["total"]
+        self.refuses_damaged(huge, says=f": (root): {rays} rays are recorded, and a frame of 9000x9000 pixels has more corners; the file")
+
+    def refuses_damaged(self, data, says=": a chunk of it is damaged; it has to be as simulate wrote it"):
+        """In little memory."""
+        self.write("bad.ptrace", data)
+        for command in (["whatif"], ["view", "-o", "x.html"]):
+            self.refused(INPUT, *command, "bad.ptrace", says="bad.ptrace" + says)
+            self.assertLess(self.memory(*command, "bad.ptrace", code=INPUT), 300 << 20)
+
+    def test_bombs(self):
+        """A chunk that inflates to gigabytes, in whatever it claims to be."""
+        self.record(SCENES / "keel.json", "--size", "16x12")
+        head, rays, image, end = tool.ptrace_chunks((self.folder / "run.ptrace").read_bytes())
+        packer = zlib.compressobj(1)
+        content = b"".join(packer.compress(bytes(1 << 20)) for _ in range(1024)) + packer.flush()
+        for kind in b"RNEZ":
+            bomb = bytes([kind]) + tool.varint_of(len(content)) + content
+            self.refuses_damaged(tool.PTRACE_MAGIC + head + bomb + rays + image + end)
+        self.write("most.ptrace", tool.PTRACE_MAGIC + head + self.filler(32 << 20) + rays + image + end)
+        self.ok("whatif", "most.ptrace")
+        self.refuses_damaged(tool.PTRACE_MAGIC + head + self.filler((32 << 20) + 1) + rays + image + end)
+
+    @staticmethod
+    def filler(size):
+        """A chunk that says nothing, so large."""
+        content = zlib.compress(bytes(size))
+        return b"E" + tool.varint_of(len(content)) + content
 
     def test_damaged_files(self):
         """Cut anywhere, or with any byte changed: one line, or the same result."""
