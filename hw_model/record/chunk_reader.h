@@ -26,6 +26,8 @@ class ChunkReader {
 
   /// The next chunk; none where no whole one is left. Throws InputError for one that is damaged.
   std::optional<Chunk> next();
+  /// Whether nothing is left, not even a piece of a chunk.
+  bool at_end() const { return rest_.empty(); }
 
  private:
   std::string name_;

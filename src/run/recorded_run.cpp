@@ -55,9 +55,28 @@ struct Content {
   SceneContents contents;
   hw::WorkTable rays{1};
   hw::WorkTable nodes{hw::NodeColumns::size};
-  std::string picture;
+  std::optional<std::string> picture;
   nlohmann::json end;  ///< null: it was broken off
 };
+
+/// Takes what is in a chunk behind the header; whether one such as it may be there.
+bool take(Content& content, const hw::Chunk& chunk, const std::string& name) {
+  switch (chunk.type) {
+    case hw::ChunkType::header:
+      return false;
+    case hw::ChunkType::rays:
+      return content.rays.add_packed(chunk.content);
+    case hw::ChunkType::nodes:
+      return content.nodes.add_packed(chunk.content);
+    case hw::ChunkType::image:
+      return !std::exchange(content.picture, chunk.content);
+    case hw::ChunkType::end:
+      content.end = parse_json(chunk.content, name);
+      return true;
+    default:  // unknown
+      return true;
+  }
+}
 
 Content read(const std::filesystem::path& file) {
   const std::string name = file.string();
@@ -78,13 +97,8 @@ Content read(const std::filesystem::path& file) {
   }
   content.rays = hw::WorkTable(columns.size());
   while (const auto chunk = chunks.next()) {
-    if (chunk->type == hw::ChunkType::image) content.picture = chunk->content;
-    if (chunk->type == hw::ChunkType::end) content.end = parse_json(chunk->content, name);
-    const bool rays = chunk->type == hw::ChunkType::rays;
-    if (!rays && chunk->type != hw::ChunkType::nodes) continue;
-    if (!(rays ? content.rays : content.nodes).add_packed(chunk->content)) {
-      hw::fail_damaged(name);
-    }
+    if (!take(content, *chunk, name)) hw::fail_damaged(name);
+    if (chunk->type == hw::ChunkType::end && !(chunks.at_end() && content.picture)) hw::fail_damaged(name);
   }
   return content;
 }
@@ -146,7 +160,7 @@ RecordedRun load_recorded_run(const std::filesystem::path& file) {
   const JsonReader run = header.member("run");
   recorded.run = read_run(run);
   recorded.cycles = static_cast<hw::Cycle>(end.member("cycles").integer(count));
-  recorded.picture = std::move(content.picture);
+  recorded.picture = std::move(*content.picture);
   recorded.image_sha256 = end.member("image_sha256").string();
   const JsonReader arithmetic = end.member("arithmetic");
   recorded.arithmetic = {read_events(arithmetic.member("view_vectors")),

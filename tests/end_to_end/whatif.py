@@ -213,6 +213,23 @@ class Whatif(tool.EndToEnd):
             self.refused(INPUT, *command, "bad.ptrace", says="bad.ptrace" + says)
             self.assertLess(self.memory(*command, "bad.ptrace", code=INPUT), 300 << 20)
 
+    def test_order_of_chunks(self):
+        """Each type as often as docs/ptrace.md says, and nothing behind the end."""
+        self.record(SCENES / "keel.json", "--size", "16x12")
+        data = (self.folder / "run.ptrace").read_bytes()
+        parts = dict(zip("HRIZ", tool.ptrace_chunks(data), strict=True))
+        build = lambda order: tool.PTRACE_MAGIC + b"".join(parts[kind] for kind in order)
+        parts["Q"] = b"Q\x03abc"
+        self.assertEqual(build("HRIZ"), data)
+        for order in ("HRIZ", "HIRZ", "HQRQIQZ"):
+            self.write("good.ptrace", build(order))
+            self.ok("whatif", "good.ptrace")
+        for order in ("HHRIZ", "HRIHZ", "HRIIZ", "HRIZZ", "HRZI", "HRZ", "HRIZQ", "HRIZR", "HRIZI"):
+            with self.subTest(order):
+                self.refuses_damaged(build(order))
+        self.refuses_damaged(data + b"R")  # a piece of one
+        self.refuses_damaged(data + b"Q\x09ab")
+
     def test_bombs(self):
         """A chunk that inflates to gigabytes, in whatever it claims to be."""
         self.record(SCENES / "keel.json", "--size", "16x12")
