@@ -9,6 +9,7 @@
 #include "cli/frame_table.h"
 #include "cli/machine_options.h"
 #include "cli/pixel_report.h"
+#include "run/interrupt.h"
 #include "run/simulation.h"
 #include "text/printable.h"
 
@@ -29,7 +30,9 @@ struct PixelCommand {
     SeenPoints seen;
     processor.attach(history);
     processor.attach(seen);
-    require_finished(simulation.run());
+    Outcome outcome;
+    run_interruptibly([&] { outcome = simulation.run(); }, [&] { return simulation.how_far(); });
+    require_finished(outcome);
     std::cout << fmt::format("row {}, column {} of {}, MAX_LEVEL {}, on machine {}\n\n", row, column,
                              frame_title(asked.scene.name, asked.screen, asked.window), asked.max_level,
                              excerpt(asked.machine.title()))

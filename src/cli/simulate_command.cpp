@@ -60,10 +60,7 @@ struct SimulateCommand {
           outcome = simulation.run();
           traces.finish(processor.cycles());  // of a frame that was broken off, too
         },
-        [&] {
-          return fmt::format("after {} cycles, {} of {} pixels stored", processor.cycles(),
-                             processor.frame_buffer().stored(), processor.image().pixels().size());
-        });
+        [&] { return simulation.how_far(); });
     require_finished(outcome);
     picture.write(processor.image());
     if (statistics) statistics->write(text_of(simulation_document(asked, outcome)));

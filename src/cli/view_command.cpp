@@ -9,6 +9,7 @@
 #include "cli/revisable_output.h"
 #include "error.h"
 #include "hw_model/view/page.h"
+#include "run/interrupt.h"
 #include "run/process_pool.h"
 #include "run/recorded_run.h"
 #include "run/run_document.h"
@@ -52,8 +53,12 @@ struct ViewCommand {
     };
     jobs.take = [&](std::size_t, const std::string& result) { runs.push_back(result); };
     jobs.progress = [](std::size_t) { return progress_bar("simulating"); };
-    ProcessPool::run(jobs, most_runs);
-    hw::write_page(page.file(), runs);
+    run_interruptibly(
+        [&] {
+          ProcessPool::run(jobs, most_runs);
+          hw::write_page(page.file(), runs);
+        },
+        [&] { return fmt::format("with {} of {} runs simulated", runs.size(), files.size()); });
     page.commit();
   }
 };

@@ -17,6 +17,7 @@
 #include "cli/statistics_document.h"
 #include "cli/whatif_rows.h"
 #include "error.h"
+#include "run/interrupt.h"
 #include "run/recorded_run.h"
 #include "text/printable.h"
 
@@ -43,7 +44,8 @@ struct WhatifCommand {
     outputs.writes("--csv", csv);
     outputs.writes("--stats", stats);
     require_once();
-    const RecordedRun recorded = load_recorded_run(trace);
+    RecordedRun recorded;
+    run_interruptibly([&] { recorded = load_recorded_run(trace); }, [] { return "while RUN was read"; });
     const std::vector<WhatifPoint> points = plan(recorded);
     for (const WhatifPoint& point : points) {
       hw::check_machine_holds(point.machine, recorded.run.max_level, recorded.run.rendered().columns);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/simulation.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 
 #include "run/collect_outcome.h"
@@ -53,6 +55,11 @@ Outcome Simulation::run() {
       collect_outcome(processor_, occupancies_ ? &*occupancies_ : nullptr, critical_path_ ? &*critical_path_ : nullptr);
   outcome.host_seconds = elapsed.count();
   return outcome;
+}
+
+std::string Simulation::how_far() const {
+  return fmt::format("after {} cycles, {} of {} pixels stored", processor_.cycles(), processor_.frame_buffer().stored(),
+                     image().pixels().size());
 }
 
 Outcome simulate(const Run& run, const Scene& scene, const HostOptions& host, const Measure& measure) {

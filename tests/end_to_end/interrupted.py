@@ -84,6 +84,39 @@ class Interrupted(tool.EndToEnd):
                     (self.folder / "new.vcd").unlink()
                 self.nothing_changes(before)
 
+    def test_recorded_frames(self):
+        """Likewise of commands that make a frame again, and of one that shows a pixel of it."""
+        subprocess.run([tool.PYRASIM, "simulate", KEEL, "--size", "800x600", "--trace", "run.ptrace"], cwd=self.folder,
+                       stdout=subprocess.DEVNULL, check=True)
+        page = self.write("old.html", "an old file")
+        before = self.listing()
+        for arguments, how_far in (
+                (["view", "run.ptrace", "-o", "old.html"], "with 0 of 1 runs simulated"),
+                (["view", "run.ptrace", "run.ptrace", "-o", "-"], "with 0 of 2 runs simulated"),
+                (["whatif", "run.ptrace", "--csv", "new.csv"], "(while RUN was read|with 0 of 1 rows done, in recorded)"),
+                (["whatif", "run.ptrace", "--sensitivity"], "(while RUN was read|with 0 of 1 rows done, in recorded)"),
+                (["pixel", KEEL, "9,9", "--size", "4000x4000"], r"after \d+ cycles, \d+ of 16000000 pixels stored")):
+            for number in (signal.SIGINT, signal.SIGTERM):
+                with self.start(*arguments) as process:
+                    wait_until(lambda: catches(process, number))
+                    process.send_signal(number)
+                    output = process.communicate(timeout=PATIENCE)[0]
+                self.assertRegex(output, rf"(?m)^pyrasim: interrupted {how_far}\n\Z", arguments)
+                self.assertEqual(process.returncode, 128 + number)
+                self.nothing_changes(before)
+                self.assertEqual(page.read_text(), "an old file")
+
+    def test_a_trace_that_does_not_come(self):
+        reader, writer = os.pipe()
+        for arguments in (["whatif", "/dev/stdin"], ["view", "/dev/stdin", "-o", "new.html"]):
+            with self.start(*arguments, stdin=reader) as process:
+                wait_until(lambda: catches(process, signal.SIGINT))
+                process.send_signal(signal.SIGINT)
+                self.assertRegex(process.communicate(timeout=PATIENCE)[0], r"\Apyrasim: interrupted.*\n\Z", arguments)
+            self.assertEqual(process.returncode, 128 + signal.SIGINT)
+        os.close(reader)
+        os.close(writer)
+
     def test_a_second_signal_kills(self):
         """A row of long pixels: there is no opportunity to stop for longer than the program waits for one."""
         before = self.listing()
