@@ -5,6 +5,7 @@
 
 #include "cli/compare_runs.h"
 #include "cli/frame_table.h"
+#include "text/display_width.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
@@ -61,7 +62,7 @@ using Cells = std::vector<std::string>;
 std::string aligned(const std::vector<Cells>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const Cells& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], display_width(row[k]));
   }
   std::string text;
   for (const Cells& row : rows) {

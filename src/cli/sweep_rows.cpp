@@ -8,6 +8,7 @@
 
 #include "cli/csv.h"
 #include "hw_model/machine_settings.h"
+#include "text/display_width.h"
 #include "text/printable.h"
 #include "version.h"
 
@@ -47,13 +48,13 @@ std::string sweep_csv_row(const SweepPoint& point, const Outcome& outcome) {
 SweepTable::SweepTable(const std::vector<std::string>& scenes, const MachineAxes& machines) {
   if (scenes.size() > 1) {
     scene_width_ = std::string_view("scene").size();
-    for (const std::string& name : scenes) scene_width_ = std::max(scene_width_, excerpt(name).size());
+    for (const std::string& name : scenes) scene_width_ = std::max(scene_width_, display_width(excerpt(name)));
   }
   for (std::size_t axis = 0; axis < machines.paths.size(); ++axis) {
     Column column{excerpt(machines.paths[axis]), 0};
-    column.width = column.title.size();
+    column.width = display_width(column.title);
     for (const SweptMachine& machine : machines.machines) {
-      column.width = std::max(column.width, excerpt(machine.values[axis]).size());
+      column.width = std::max(column.width, display_width(excerpt(machine.values[axis])));
     }
     settings_.push_back(column);
   }

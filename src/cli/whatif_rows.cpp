@@ -12,6 +12,7 @@
 #include "cli/statistics_document.h"
 #include "hw_model/machine_settings.h"
 #include "hw_model/report/bottleneck.h"
+#include "text/display_width.h"
 #include "text/printable.h"
 #include "version.h"
 
@@ -20,7 +21,7 @@ namespace pyrasim::cli {
 PredictionRows::PredictionRows(hw::Cycle recorded, const std::vector<Prediction>& list)
     : recorded_(recorded), width_(std::string_view("change").size()) {
   for (const Prediction& prediction : list) {
-    if (has_effect(prediction)) width_ = std::max(width_, prediction.change.size());
+    if (has_effect(prediction)) width_ = std::max(width_, display_width(prediction.change));
   }
 }
 
@@ -46,7 +47,7 @@ nlohmann::ordered_json PredictionRows::document(const Prediction& prediction) co
 
 WhatifRows::WhatifRows(std::string trace, Run run, const std::vector<WhatifPoint>& points)
     : trace_(std::move(trace)), run_(std::move(run)), width_(std::string_view("change").size()) {
-  for (const WhatifPoint& point : points) width_ = std::max(width_, point.change.size());
+  for (const WhatifPoint& point : points) width_ = std::max(width_, display_width(point.change));
 }
 
 std::string WhatifRows::table_header() const {

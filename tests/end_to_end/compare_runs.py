@@ -47,6 +47,14 @@ class CompareRuns(tool.EndToEnd):
         self.assertEqual(list(self.differences("a", "lockstep")), ["engine"])
         self.assertRegex(self.ok("compare", "a.json", "lockstep.json"), r"\nengine +decoupled +lockstep\n")
 
+    def test_columns_are_as_wide_as_what_they_show(self):
+        """In characters, one of which may be several bytes."""
+        names = ["langsam ×××××××××××××××××××", "größer ××××××××××××××××××××"]
+        for file, name in zip("bc", names):
+            self.ok("simulate", KEEL, "--size", "32x24", "--machine", self.write("m.json", {"name": name}), "--stats", f"{file}.json")
+        table = self.ok("compare", "b.json", "c.json")
+        self.assertRegex(table, rf"(?m)^machine.name +{names[0]}  {names[1]}$")
+
     def test_every_difference_is_found(self):
         """One value after the other is changed: that one, and no other, is reported, in the document and in the table."""
         document = tool.read_json(self.folder / "a.json")

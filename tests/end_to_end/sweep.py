@@ -68,6 +68,14 @@ class Sweep(tool.EndToEnd):
         run = self.run_tool(*arguments, "--max-cycles", "10")
         self.assertIn("keel.json, 16x12 pixels, MAX_LEVEL 1, edge mean, intersection.units 1, fifos.all 2 (0 of 8", run.stderr)
 
+    def test_columns_are_as_wide_as_what_they_show(self):
+        """In characters, one of which may be several bytes."""
+        name = "Würfel ×××.json"
+        self.write(name, tool.scene())
+        lines = self.ok("sweep", name, self.write("b.json", tool.scene()).name, "--max-level", "0", "--reference", "none").splitlines()
+        for line, scene, size in zip(lines, ("scene", name, "b.json"), ("size", "8x6", "8x6"), strict=True):
+            self.assertEqual(line[:len(name) + 12], f"{scene:<{len(name)}} {size:>11}")
+
     def test_resume(self):
         """What a file holds is kept and not made again, whatever ended the run that made it; all the same in the end."""
         scene = self.write("scene.json", tool.scene())

@@ -121,6 +121,14 @@ class Whatif(tool.EndToEnd):
         self.ok("whatif", "run.ptrace", "intersection.units=1..3", "fifos.all=x1,x4", "--csv", "rows.csv")
         self.assertEqual((self.folder / "rows.csv").read_text(), run.stdout)
 
+    def test_columns_are_as_wide_as_what_they_show(self):
+        """In characters: × is one, of two bytes."""
+        self.record(self.write("scene.json", tool.scene()))
+        change = "intersection.units=×2"
+        header, recorded, changed = self.ok("whatif", "run.ptrace", change).splitlines()
+        for line, cells in ((header, ("change", "cycles")), (recorded, ("recorded", r"[\d,]+")), (changed, (change, r"[\d,]+"))):
+            self.assertRegex(line[:len(change) + 15], rf"\A{cells[0]} +{cells[1]}\Z")
+
     def test_sensitivity(self):
         """Estimates of a step of every setting; those of the busiest unit are near what is found."""
         self.record(SCENES / "keel.json", "--size", "64x48")
