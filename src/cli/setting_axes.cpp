@@ -44,6 +44,14 @@ std::size_t end_of_value(std::string_view text) {
   return text.size();
 }
 
+/// What is wrong with first..last; empty where nothing is.
+std::string fault_of_range(std::int64_t first, std::int64_t last) {
+  if (first < 0) return "it begins below 0";
+  if (last < first) return fmt::format("{} is less than {}", last, first);
+  if (last - first >= most_values) return "it has too many values";
+  return "";
+}
+
 /// Adds the values that `text` stands for: the numbers of "1..8", else itself.
 void add_values(std::vector<std::string>& values, std::string_view text, std::string_view path) {
   const std::size_t dots = text.find("..");
@@ -54,9 +62,9 @@ void add_values(std::vector<std::string>& values, std::string_view text, std::st
     values.emplace_back(text);
     return;
   }
-  if (first < 0 || last < first || last - first >= most_values) {
-    throw UsageError(fmt::format("{}={}: FIRST..LAST is allowed, from 0 on and of at most {} values", excerpt(path),
-                                 excerpt(text), most_values));
+  if (const std::string fault = fault_of_range(first, last); !fault.empty()) {
+    throw UsageError(fmt::format("{}={}: {}; FIRST..LAST is allowed, from 0 on, ascending and of at most {} values",
+                                 excerpt(path), excerpt(text), fault, most_values));
   }
   for (std::int64_t value = first; value <= last; ++value) values.push_back(std::to_string(value));
 }

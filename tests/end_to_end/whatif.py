@@ -170,8 +170,10 @@ class Whatif(tool.EndToEnd):
                              ("intersection.units=-4", "/intersection/units: 0 is out of range; an integer from 1 to 256"),
                              ("intersection.units=x100", "/intersection/units: 400 is out of range; an integer from 1 to 256"),
                              ("intersection.units=+0.5", "/intersection/units: it is the number 4.5"),
-                             ("intersection.units=9..2", "FIRST..LAST is allowed"),
-                             ("intersection.units=0..5000", "FIRST..LAST is allowed"),
+                             ("intersection.units=9..2", "intersection.units=9..2: 2 is less than 9; FIRST..LAST is allowed, from 0 on, ascending"),
+                             ("intersection.units=-1..2", "intersection.units=-1..2: it begins below 0; FIRST..LAST"),
+                             ("intersection.units=0..1000", "intersection.units=0..1000: it has too many values; FIRST..LAST is"),
+                             ("intersection.units=0..999", "/intersection/units: 0 is out of range"),
                              ("intersection.units=1,2,300", "/intersection/units: 300 is out of range; an integer from 1 to 256"),
                              ("intersection.dispatch=+1", "the setting is no number"),
                              ("intersection.dispatch=other", "/intersection/dispatch")):
