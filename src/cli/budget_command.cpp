@@ -154,7 +154,7 @@ struct BudgetCommand {
     OutputPlan plan;
     plan.reads("SCENE", asked.scene->files);
     plan.reads("--machine", machine.file);
-    plan.writes("--stats", stats);
+    plan.writes_usually("--stats", stats, ".json");
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
 

@@ -44,7 +44,7 @@ struct CompareCommand {
     plan.reads("FIRST", first);
     plan.reads("SECOND", second);
     plan.writes("-o", image.file);
-    plan.writes("--stats", stats);
+    plan.writes_usually("--stats", stats, ".json");
     if (!is_run(first) && !is_run(second)) return compare_pictures(plan.table());
     if (!is_run(first) || !is_run(second)) {
       throw UsageError(fmt::format(

@@ -22,6 +22,10 @@ class OutputPlan {
   /// pipe. Nothing where the name is empty.
   void writes(const std::string& option, const std::string& file, const std::vector<std::string_view>& endings = {});
 
+  /// Likewise; of any name but one that ends as those of another format that this program writes: `ending` is the
+  /// usual one.
+  void writes_usually(const std::string& option, const std::string& file, std::string_view ending);
+
   /// Where the table for people goes: stdout, or stderr where an output has taken that.
   std::ostream& table() const;
   bool writes_anything() const { return !written_.empty(); }

@@ -42,7 +42,7 @@ struct RenderCommand {
     OutputPlan plan;
     plan.reads("SCENE", scene.files);
     plan.writes("-o", image.file);
-    plan.writes("--stats", stats);
+    plan.writes_usually("--stats", stats, ".json");
     MapOutputs pictures_of_cost(maps, map_kinds, plan);
     if (!maps.empty() && !chosen.pyramid) {
       throw UsageError(fmt::format("--map: maps are of pixel pyramids, and --method {} has none", chosen.name()));

@@ -37,7 +37,7 @@ struct SimulateCommand {
     plan.reads("SCENE", scene->files);
     plan.reads("--machine", machine.file);
     plan.writes("-o", image.file);
-    plan.writes("--stats", stats);
+    plan.writes_usually("--stats", stats, ".json");
     TraceOutputs traces(trace, asked.rendered(), plan);
     MapOutputs pictures_of_cost(maps, cost_map_names.size(), plan);
     PictureOutput picture(image);

@@ -64,7 +64,7 @@ struct NumericsStudy {
     OutputPlan plan;
     plan.reads("SCENE", scene->files);
     plan.reads("--machine", machine.file);
-    plan.writes("--csv", csv);
+    plan.writes_usually("--csv", csv, ".csv");
     plan.writes("--plot", plot, {".svg"});
     RowOutput output(csv, plan.table());
     std::optional<TextOutput> picture;

@@ -48,8 +48,8 @@ struct SweepCommand {
     OutputPlan outputs;
     const std::vector<std::shared_ptr<const Scene>> loaded = load(outputs);
     outputs.reads("--machine", machine.file);
-    outputs.writes("--csv", csv);
-    outputs.writes("--resume", resumed);
+    outputs.writes_usually("--csv", csv, ".csv");
+    outputs.writes_usually("--resume", resumed, ".csv");
     const MachineAxes machines(machine);
     std::vector<SweepPoint> points = plan(loaded, machines);
     check(points);

@@ -41,8 +41,8 @@ struct WhatifCommand {
     OutputPlan outputs;
     outputs.reads("RUN", trace);
     outputs.reads("--machine", machine);
-    outputs.writes("--csv", csv);
-    outputs.writes("--stats", stats);
+    outputs.writes_usually("--csv", csv, ".csv");
+    outputs.writes_usually("--stats", stats, ".json");
     require_once();
     RecordedRun recorded;
     run_interruptibly([&] { recorded = load_recorded_run(trace); }, [] { return "while RUN was read"; });

@@ -14,17 +14,19 @@ class Outputs(tool.EndToEnd):
     def setUp(self):
         super().setUp()
         self.scene = self.write("scene.json", tool.scene())
-        (self.folder / "folder.png").mkdir()
+        for ending in ("png", "json", "csv"):
+            (self.folder / f"folder.{ending}").mkdir()
 
     def test_cannot_write(self):
-        for target in ("missing/out.png", "folder.png"):
+        for name in ("missing/out", "folder"):
+            target, stats, rows = (f"{name}.{ending}" for ending in ("png", "json", "csv"))
             for command in ("render", "simulate"):
                 self.refused(RUN_FAILED, command, self.scene, "-o", target, says=f"{target}: cannot write")
-                self.refused(RUN_FAILED, command, self.scene, "--stats", target, says=f"{target}: cannot write")
+                self.refused(RUN_FAILED, command, self.scene, "--stats", stats, says=f"{stats}: cannot write")
                 self.refused(RUN_FAILED, command, self.scene, "-o", target, "--stats", "missing/out.json", says=target)
-                self.refused(RUN_FAILED, command, self.scene, "-o", "good.png", "--stats", target, says=target)
+                self.refused(RUN_FAILED, command, self.scene, "-o", "good.png", "--stats", stats, says=stats)
                 self.refused(RUN_FAILED, command, self.scene, "-o", target, "--stats", "good.json", says=target)
-            self.refused(RUN_FAILED, "sweep", self.scene, "--csv", target, says=target)
+            self.refused(RUN_FAILED, "sweep", self.scene, "--csv", rows, says=rows)
         self.refused(RUN_FAILED, "simulate", self.scene, "--trace", "missing/out.vcd", "-o", "good.png",
                      says="missing/out.vcd: cannot write")
         self.refused(RUN_FAILED, "export", self.scene, "-o", "missing/out.pov", says="missing/out.pov: cannot write")
@@ -166,15 +168,15 @@ class Outputs(tool.EndToEnd):
                               ("there.vcd", "hard.vcd"), ("there.vcd", "soft.vcd"), ("pipe.vcd", "pipe.vcd"),
                               ("-", "-"), ("-", "/dev/stdout"), ("/dev/stdout", "/dev/fd/1"),
                               ("/dev/stderr", "/proc/self/fd/2")):
-            self.refused(USAGE, "simulate", self.scene, "--stats", first, "--trace", second,
-                         says=f"--stats {first} and --trace {second} are one file or stream")
+            self.refused(USAGE, "simulate", self.scene, "--trace", first, "--trace", second,
+                         says=f"--trace {first} and --trace {second} are one file or stream")
         for command, options in ((["render"], ("-o", "--stats")), (["simulate"], ("-o", "--stats")),
                                  (["simulate"], ("-o", "--trace")), (["compare", "a.pfm"], ("-o", "--stats")),
                                  (["study", "numerics"], ("--csv", "--plot"))):
-            name = {"-o": "same.png", "--csv": "same.svg"}[options[0]]
-            if options[1] == "--trace":
-                (self.folder / "same.vcd").symlink_to(name)
-            second = "same.vcd" if options[1] == "--trace" else name
+            name = {"-o": "same.png", "--csv": "same.csv"}[options[0]]
+            second = {"--stats": name, "--trace": "same.vcd", "--plot": "same.svg"}[options[1]]
+            if second != name:
+                (self.folder / second).symlink_to(name)
             input_file = "b.pfm" if command[0] == "compare" else self.scene
             self.refused(USAGE, *command, input_file, options[0], name, options[1], second,
                          says=f"{options[0]} {name} and {options[1]} {second} are one file or stream")
@@ -213,6 +215,22 @@ class Outputs(tool.EndToEnd):
             self.refused(USAGE, "study", "numerics", self.scene, "--plot", name, says="its name must end in .svg")
         for name in ("x.png", "x.POV", "x"):
             self.refused(USAGE, "export", self.scene, "-o", name, says="its name must end in .pov")
+        os.mkfifo(self.folder / "pipe.csv")
+        self.ok("simulate", self.scene, "--trace", "run.ptrace")
+        for option, own, commands in (("--stats", ".json", (["simulate"], ["render"], ["budget"], ["whatif"], ["compare"])),
+                                      ("--csv", ".csv", (["sweep"], ["study", "numerics"], ["whatif"])),
+                                      ("--resume", ".csv", (["sweep"],))):
+            for command in commands:
+                read = {"whatif": ["run.ptrace"], "compare": ["a.pfm", "b.pfm"]}.get(command[0], [self.scene])
+                for ending in {".csv", ".json", ".png", ".pfm", ".svg", ".pov", ".vcd", ".fst", ".pftrace", ".kanata", ".gtkw",
+                               ".ptrace", ".html"} - {own}:
+                    self.refused(USAGE, *command, *read, option, f"x{ending}",
+                                 says=f"{option} x{ending}: {ending} is the ending of another format; one that ends in {own} is")
+        for name in ("x", "x.txt", "x.JSON", "x.csv.old", "x.json"):
+            self.ok("render", self.scene, "--stats", name)
+        with subprocess.Popen(["cat", self.folder / "pipe.csv"], stdout=subprocess.PIPE) as reader:
+            self.ok("render", self.scene, "--stats", "pipe.csv")
+            self.assertTrue(json.loads(reader.communicate()[0]))
         for name in ("-", "/dev/stdout", "/dev/fd/1"):
             self.assertTrue(self.run_tool("export", self.scene, "-o", name).stdout.startswith("// pyrasim"))
             self.assertTrue(self.run_tool("simulate", self.scene, "--trace", name).stdout.startswith("$"))
