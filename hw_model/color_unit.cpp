@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "hw_model/record/recorded_textures.h"
+#include "text/counted.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -29,8 +30,8 @@ ColorUnit::ColorUnit(const sc_core::sc_module_name& name, const FrameSetup& fram
 std::vector<StagePart> ColorUnit::parts() const {
   const std::size_t objects = textured_objects_;
   const Need need = objects == 0 ? Need{false, "the scene has no textures"}
-                                 : Need{true, fmt::format("{} object{} of the scene {} a texture", objects,
-                                                          objects == 1 ? "" : "s", objects == 1 ? "has" : "have")};
+                                 : Need{true, fmt::format("{} of the scene {} a texture", counted(objects, "object"),
+                                                          of_number(objects, "has", "have"))};
   return {{"texture", need, cost_of(work_, texture_cost_)}};
 }
 

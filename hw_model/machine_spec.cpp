@@ -11,6 +11,7 @@
 #include "json/json_file.h"
 #include "json/json_override.h"
 #include "json/json_reader.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim::hw {
@@ -96,7 +97,7 @@ std::size_t differing(const MachineSpec& a, const MachineSpec& b) {
 }  // namespace
 
 std::string MachineSpec::title() const {
-  return overridden == 0 ? name : fmt::format("{} + {} setting{}", name, overridden, overridden == 1 ? "" : "s");
+  return overridden == 0 ? name : fmt::format("{} + {}", name, counted(overridden, "setting"));
 }
 
 MachineSpec read_machine(const JsonReader& root) {

@@ -19,6 +19,7 @@
 #include "hw_model/subdivision_controller.h"
 #include "hw_model/tree_accumulator.h"
 #include "hw_model/view_vector_generator.h"
+#include "text/counted.h"
 
 namespace pyrasim::hw {
 
@@ -32,8 +33,7 @@ inline Need where_pixels_are_subdivided(const FrameSetup& frame) {
 inline Need where_lights_have_shadows(const FrameSetup& frame) {
   const std::size_t lights = frame.intersector.contents().lights_with_shadows;
   if (lights == 0) return {false, "the scene has no light with shadows, or nothing that casts one"};
-  return {true, fmt::format("{} light{} of the scene {} shadows", lights, lights == 1 ? "" : "s",
-                            lights == 1 ? "has" : "have")};
+  return {true, fmt::format("{} of the scene {} shadows", counted(lights, "light"), of_number(lights, "has", "have"))};
 }
 
 /// A stage of the machine; it is made from its module's name and a FrameSetup.

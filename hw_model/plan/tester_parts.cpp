@@ -3,17 +3,19 @@
 
 #include <fmt/format.h>
 
+#include "text/counted.h"
+
 namespace pyrasim::hw {
 namespace {
 
 Need need_of_walker(std::size_t inner_nodes) {
   if (inner_nodes == 0) return {false, "the hierarchy is one leaf"};
-  return {true, fmt::format("the hierarchy has {} inner node{}", inner_nodes, inner_nodes == 1 ? "" : "s")};
+  return {true, "the hierarchy has " + counted(inner_nodes, "inner node")};
 }
 
 Need need_of_tester(std::size_t surfaces) {
   if (surfaces == 0) return {false, "the scene has no such surface"};
-  return {true, fmt::format("the scene has {} such surface{}", surfaces, surfaces == 1 ? "" : "s")};
+  return {true, "the scene has " + counted(surfaces, "such surface")};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "error.h"
+#include "text/counted.h"
 
 namespace pyrasim::hw {
 namespace {
@@ -76,7 +77,7 @@ std::string wait_for_cycle(Processor& processor) {
 std::string why_unfinished(Processor& processor) {
   const Cycle limit = processor.max_cycles();
   if (processor.complete() && processor.cycles() <= limit) return "";
-  std::string reason = fmt::format("the frame is not finished within {} cycles", limit);
+  std::string reason = fmt::format("the frame is not finished within {}", counted(limit, "cycle"));
   if (!processor.complete() && processor.at_rest()) {
     reason = "deadlock: no stage can go on";
     if (const std::string cycle = wait_for_cycle(processor); !cycle.empty()) reason += "; in a circle: " + cycle;

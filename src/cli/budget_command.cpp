@@ -14,6 +14,7 @@
 #include "cli/output_plan.h"
 #include "cli/statistics_document.h"
 #include "run/interrupt.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
@@ -174,11 +175,12 @@ struct BudgetCommand {
     const Screen& screen = asked.run.screen;
     const double reached = frames_per_second(asked.run, cycles);
     const double goal = asked.run.machine.goal_fps;
-    std::string text = fmt::format(
-        "{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n{} cycles, {:.1f} frames per second\n", one_line(frame.scene),
-        screen.columns, screen.rows, asked.run.max_level, excerpt(asked.run.machine.title()), cycles, reached);
-    text += fmt::format("budget: {} cycles for {} frames per second, {} by {:.1f} %\n", asked.run.machine.budget(),
-                        goal, changes ? "missed" : "met", 100 * std::abs(reached / goal - 1));
+    std::string text = fmt::format("{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n{}, {:.1f} frames per second\n",
+                                   one_line(frame.scene), screen.columns, screen.rows, asked.run.max_level,
+                                   excerpt(asked.run.machine.title()), counted(cycles, "cycle"), reached);
+    text += fmt::format("budget: {} for {} frames per second, {} by {:.1f} %\n",
+                        counted(asked.run.machine.budget(), "cycle"), goal, changes ? "missed" : "met",
+                        100 * std::abs(reached / goal - 1));
     if (!changes) return text;
     text += "\nthe smallest changes that meet it, each alone and simulated:\n" + change_lines(changes->alone);
     if (!changes->pairs.empty()) {

@@ -10,6 +10,7 @@
 #include "json/json_file.h"
 #include "scene/load_scene.h"
 #include "scene/nff_scene.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
@@ -17,8 +18,9 @@ namespace {
 
 void report(const std::string& file, const Scene& scene) {
   print_warnings(scene);
-  std::cout << fmt::format("{}: a scene of {} objects on {}x{} pixels\n", one_line(file), scene.objects.size(),
-                           scene.camera.screen.columns, scene.camera.screen.rows);
+  std::cout << fmt::format("{}: a scene of {} on {}x{} pixels\n", one_line(file),
+                           counted(scene.objects.size(), "object"), scene.camera.screen.columns,
+                           scene.camera.screen.rows);
 }
 
 void check(const std::string& file) {
@@ -28,8 +30,9 @@ void check(const std::string& file) {
     return report(file, read_scene(file, document));
   }
   const hw::MachineSpec spec = hw::read_machine(file, document);
-  std::cout << fmt::format("{}: machine {} with {} intersection units at {} MHz\n", one_line(file), excerpt(spec.name),
-                           spec.intersection_units, spec.clock_mhz);
+  std::cout << fmt::format("{}: machine {} with {} at {} MHz\n", one_line(file), excerpt(spec.name),
+                           counted(static_cast<std::uint64_t>(spec.intersection_units), "intersection unit"),
+                           spec.clock_mhz);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "image/compare_view.h"
 #include "image/image_error.h"
 #include "image/write_image.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
@@ -24,7 +25,8 @@ Image read_picture(const std::string& file, std::string& remarks) {
   std::uint64_t transparent = 0;
   Image image = read_image(file, &transparent);
   if (transparent > 0) {
-    remarks += fmt::format("{}: {} pixels are not opaque; composed over black\n", one_line(file), transparent);
+    remarks += fmt::format("{}: {} {} not opaque; composed over black\n", one_line(file), counted(transparent, "pixel"),
+                           of_number(transparent, "is", "are"));
   }
   return image;
 }

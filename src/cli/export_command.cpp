@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/output_plan.h"
 #include "scene/pov_export.h"
+#include "text/counted.h"
 #include "version.h"
 
 namespace pyrasim::cli {
@@ -27,8 +28,8 @@ struct ExportCommand {
     const auto textured = std::count_if(scene.objects.begin(), scene.objects.end(),
                                         [](const Object& object) { return object.texture != nullptr; });
     if (textured > 0 && !ids) {
-      std::cerr << fmt::format("pyrasim: warning: the textures of {} object{} are written as their mean colours\n",
-                               textured, textured == 1 ? "" : "s");
+      std::cerr << fmt::format("pyrasim: warning: the textures of {} are written as their mean colours\n",
+                               counted(static_cast<std::uint64_t>(textured), "object"));
     }
     file.write(pov_scene(scene, ids, fmt::format("pyrasim {}: {}", version(), command_line())));
   }

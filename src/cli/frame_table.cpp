@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
@@ -13,8 +14,8 @@ std::string ray_lines(const FrameStatistics& frame) {
                                  grouped(frame.primary_rays()), grouped(frame.subdivision_rays_traced()));
   const ShadowWork& shadow = frame.work.shadow;
   if (frame.lights_with_shadows == 0) return text;
-  text += fmt::format("shadow rays   {:>12}   to {} light{}\n", grouped(shadow.total_rays()), frame.lights_with_shadows,
-                      frame.lights_with_shadows == 1 ? "" : "s");
+  text += fmt::format("shadow rays   {:>12}   to {}\n", grouped(shadow.total_rays()),
+                      counted(frame.lights_with_shadows, "light"));
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include "error.h"
 #include "files/output_file.h"
 #include "run/interrupt.h"
+#include "text/counted.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -62,7 +63,7 @@ void make_rows(const std::vector<std::string>& names, int at_once,
   };
   list.progress = [&](std::size_t k) { return progress_bar(fmt::format("simulating {} of {}", k + 1, names.size())); };
   const auto how_far = [&] {
-    return fmt::format("with {} of {} rows done{}", done, names.size(),
+    return fmt::format("with {} of {} done{}", done, counted(names.size(), "row"),
                        done < names.size() ? ", in " + names[done] : "");
   };
   try {
@@ -71,9 +72,9 @@ void make_rows(const std::vector<std::string>& names, int at_once,
     throw;
   } catch (const Error& error) {
     throw_error(error.exit_code(),
-                fmt::format("{} ({} of {} rows done): {}", names[done], done, names.size(), error.what()));
+                fmt::format("{} ({} of {} done): {}", names[done], done, counted(names.size(), "row"), error.what()));
   } catch (const std::bad_alloc&) {
-    throw RunError(fmt::format("{} ({} of {} rows done): out of memory", names[done], done, names.size()));
+    throw RunError(fmt::format("{} ({} of {} done): out of memory", names[done], done, counted(names.size(), "row")));
   }
 }
 

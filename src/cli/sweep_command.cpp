@@ -19,6 +19,7 @@
 #include "run/executor.h"
 #include "run/interrupt.h"
 #include "scene/load_scene.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
@@ -152,7 +153,8 @@ struct SweepCommand {
   std::string last_lines(const std::optional<Method>& peer, std::size_t planned, std::size_t made) const {
     std::string text = peer ? fmt::format("errors: linear RGB against {}\n", peer->name()) : "";
     if (!resumed.empty()) {
-      text += fmt::format("{} of {} rows were in {}\n", planned - made, planned, one_line(resumed));
+      text += fmt::format("{} of {} {} in {}\n", planned - made, counted(planned, "row"),
+                          of_number(planned - made, "was", "were"), one_line(resumed));
     }
     return text;
   }

@@ -14,6 +14,7 @@
 #include "run/recorded_run.h"
 #include "run/run_document.h"
 #include "run/simulation.h"
+#include "text/counted.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -58,7 +59,7 @@ struct ViewCommand {
           ProcessPool::run(jobs, most_runs);
           hw::write_page(page.file(), runs);
         },
-        [&] { return fmt::format("with {} of {} runs simulated", runs.size(), files.size()); });
+        [&] { return fmt::format("with {} of {} simulated", runs.size(), counted(files.size(), "run")); });
     page.commit();
   }
 };

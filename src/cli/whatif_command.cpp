@@ -19,6 +19,7 @@
 #include "error.h"
 #include "run/interrupt.h"
 #include "run/recorded_run.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim::cli {
@@ -141,10 +142,10 @@ struct WhatifCommand {
           {{"command", command_line()}, {"trace", trace}, {"cycles", recorded.cycles}, {"predictions", document}}));
     }
     output.finish(
-        fmt::format("{} other changes: less than 0.01 % each\n"
+        fmt::format("{}: less than 0.01 % each\n"
                     "estimates, from the recorded machine's critical path; pyrasim whatif RUN CHANGE says it "
                     "exactly\n",
-                    without_effect));
+                    counted(without_effect, "other change")));
   }
 };
 

@@ -12,6 +12,7 @@
 #include "error.h"
 #include "image/read_bytes.h"
 #include "image/sample_bytes.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim {
@@ -101,7 +102,7 @@ Image read_pfm(const std::filesystem::path& file) {
   const std::size_t expected =
       header.samples_begin + image.pixels().size() * static_cast<std::size_t>(header.channels) * sample_bytes;
   if (bytes.size() != expected) {
-    fail(file, fmt::format("{} bytes; its header asks for {}", bytes.size(), expected));
+    fail(file, fmt::format("{}; its header asks for {}", counted(bytes.size(), "byte"), expected));
   }
   const char* next = bytes.data() + header.samples_begin;
   for (int row = image.rows() - 1; row >= 0; --row) {

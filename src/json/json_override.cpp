@@ -10,6 +10,7 @@
 
 #include "error.h"
 #include "json/json_file.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim {
@@ -52,7 +53,7 @@ json& step(json& node, std::string_view key, const Assignment& assignment) {
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
   if (error != std::errc() || end != key.data() + key.size() || index >= node.size()) {
     fail(assignment, fmt::format("\"{}\" selects no element", excerpt(key)),
-         fmt::format("the array has {} elements, counted from 0", node.size()));
+         fmt::format("the array has {}, counted from 0", counted(node.size(), "element")));
   }
   return node[index];
 }

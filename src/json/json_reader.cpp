@@ -10,6 +10,7 @@
 
 #include "error.h"
 #include "json/json_file.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim {
@@ -133,15 +134,15 @@ JsonElements JsonReader::elements(std::size_t min, std::size_t max) const {
   const bool bounded = max < std::numeric_limits<std::size_t>::max();
   std::string allowed = "an array";
   if (min == max) {
-    allowed = fmt::format("an array of {} elements", min);
+    allowed = fmt::format("an array of {}", counted(min, "element"));
   } else if (bounded) {
     allowed = fmt::format("an array of {} to {} elements", min, max);
   } else if (min > 0) {
-    allowed = fmt::format("an array of at least {} elements", min);
+    allowed = fmt::format("an array of at least {}", counted(min, "element"));
   }
   if (!node_->is_array()) fail_kind(allowed);
   if (node_->size() < min || node_->size() > max) {
-    fail(fmt::format("it has {} elements", node_->size()), allowed + " is allowed");
+    fail("it has " + counted(node_->size(), "element"), allowed + " is allowed");
   }
   return JsonElements(*this);
 }
@@ -177,7 +178,7 @@ bool JsonReader::boolean() const {
 
 glm::dvec3 JsonReader::vec3(const NumberRange& range) const {
   if (!node_->is_array()) fail_kind("an array of 3 numbers");
-  if (node_->size() != 3) fail(fmt::format("it has {} elements", node_->size()), "an array of 3 numbers is allowed");
+  if (node_->size() != 3) fail("it has " + counted(node_->size(), "element"), "an array of 3 numbers is allowed");
   glm::dvec3 result;
   for (int i = 0; i < 3; ++i) {
     const json& component = (*node_)[static_cast<std::size_t>(i)];

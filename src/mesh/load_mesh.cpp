@@ -17,6 +17,7 @@
 #include "json/json_file.h"
 #include "mesh/degenerate.h"
 #include "mesh/triangulate.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim {
@@ -53,14 +54,12 @@ class MeshBuilder {
   std::vector<std::string> warnings() const {
     std::vector<std::string> result;
     if (without_area_ > 0) {
-      result.push_back(fmt::format("{} faces without an area were skipped; {} triangles are left", without_area_,
-                                   mesh_.triangles.size()));
+      result.push_back(fmt::format("{} without an area {} skipped; {} {} left", counted(without_area_, "face"),
+                                   of_number(without_area_, "was", "were"), counted(mesh_.triangles.size(), "triangle"),
+                                   of_number(mesh_.triangles.size(), "is", "are")));
     }
     if (crossing_ > 0) {
-      result.push_back(
-          fmt::format("{} polygons cross or cover themselves, the first in line {}; what they enclose is "
-                      "not defined, and any triangles may be seen",
-                      crossing_, first_crossing_));
+      result.push_back(crossing_warning(crossing_, first_crossing_));
     }
     return result;
   }

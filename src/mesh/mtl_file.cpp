@@ -12,6 +12,7 @@
 #include "error.h"
 #include "numeric/length_range.h"
 #include "shading/color.h"
+#include "text/counted.h"
 #include "text/counted_names.h"
 #include "text/parse_number.h"
 #include "text/printable.h"
@@ -99,7 +100,8 @@ class MtlReader {
     for (int k = 0; k < 3; ++k) {
       const std::string_view word = next_word(line);
       if (word.empty() && k == 1) return glm::dvec3(color.x);
-      if (word.empty()) fail(fmt::format("a colour of {} numbers", k), "three are needed, or one");
+      if (word.empty())
+        fail("a colour of " + counted(static_cast<std::uint64_t>(k), "number"), "three are needed, or one");
       if (word == "spectral" || word == "xyz")
         fail(fmt::format("a {} colour", word), "red, green and blue are allowed");
       color[k] = read_number(word, color_components, "colour");

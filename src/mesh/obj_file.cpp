@@ -12,6 +12,7 @@
 #include "error.h"
 #include "mesh/obj_unread.h"
 #include "numeric/length_range.h"
+#include "text/counted.h"
 #include "text/parse_number.h"
 #include "text/printable.h"
 #include "text/text_lines.h"
@@ -146,7 +147,7 @@ class ObjReader {
       obj_.corners.push_back(read_corner(word));
       ++corners;
     }
-    if (corners < 3) fail(line_, fmt::format("a face with {} corners", corners), "at least 3 are needed");
+    if (corners < 3) fail(line_, "a face with " + counted(corners, "corner"), "at least 3 are needed");
     obj_.faces.push_back({line_, corners, group_, material_});
   }
 

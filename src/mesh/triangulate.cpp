@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/triangulate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -9,6 +11,7 @@
 
 #include "mesh/ear_clipping.h"
 #include "mesh/orientation.h"
+#include "text/counted.h"
 
 namespace pyrasim {
 namespace {
@@ -95,6 +98,14 @@ Triangulation triangulate(std::span<const glm::dvec3> corners) {
     }
   }
   return result;
+}
+
+std::string crossing_warning(std::size_t polygons, std::size_t first_line) {
+  return fmt::format("{}, {} in line {}; what {} is not defined, and any triangles may be seen",
+                     polygons == 1 ? "1 polygon crosses or covers itself"
+                                   : fmt::format("{} polygons cross or cover themselves", polygons),
+                     of_number(polygons, "it is", "the first"), first_line,
+                     of_number(polygons, "it encloses", "they enclose"));
 }
 
 }  // namespace pyrasim

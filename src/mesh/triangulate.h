@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace pyrasim {
@@ -19,5 +20,8 @@ struct Triangulation {
 /// there and back; and it may be bent out of its plane. The first corner and the direction of the list do not matter.
 /// A polygon without an area has no triangles, or slivers alone. Time O(n^2) of the number of corners.
 Triangulation triangulate(std::span<const glm::dvec3> corners);
+
+/// What a file's reader says of so many such `polygons` that cross themselves.
+std::string crossing_warning(std::size_t polygons, std::size_t first_line);
 
 }  // namespace pyrasim

@@ -8,6 +8,7 @@
 
 #include "image/map_colors.h"
 #include "render/picture_memory.h"
+#include "text/counted.h"
 
 namespace pyrasim {
 namespace {
@@ -85,8 +86,8 @@ std::string CostMaps::legend(CostMap map) const {
            "at the deepest";
   }
   const auto [least, most] = heat_scale(map == CostMap::rays ? rays() : latency_);
-  return fmt::format("{} {} a pixel, dark, to {}, light; by logarithms", least,
-                     map == CostMap::rays ? "rays" : "cycles", most);
+  return fmt::format("{} a pixel, dark, to {}, light; by logarithms",
+                     counted(least, map == CostMap::rays ? "ray" : "cycle"), most);
 }
 
 }  // namespace pyrasim

@@ -14,6 +14,7 @@
 #include "pyramid/cell.h"
 #include "run/outcome_fields.h"
 #include "run/run_document.h"
+#include "text/counted.h"
 
 namespace pyrasim {
 namespace {
@@ -112,8 +113,8 @@ std::shared_ptr<const Scene> scene_of(const JsonReader& run) {
 
 void require_whole(const std::string& name, const Content& content) {
   if (!content.end.is_null() && JsonReader(name, content.end).member("complete").boolean()) return;
-  throw InputError(fmt::format("{}: the run was broken off, {} rays are recorded; a trace of a whole frame is needed",
-                               name, content.rays.rows()));
+  throw InputError(fmt::format("{}: the run was broken off, {} {} recorded; a trace of a whole frame is needed", name,
+                               counted(content.rays.rows(), "ray"), of_number(content.rays.rows(), "is", "are")));
 }
 
 /// No ray saw one that is not there.
@@ -126,8 +127,8 @@ void require_objects(const std::string& name, const hw::WorkTable& rays, std::si
 /// Fewer rays than corners are no frame, however large it claims to be: noticed before that takes memory.
 void require_rays(const JsonReader& header, std::size_t rays, const PixelWindow& window) {
   if (rays / (static_cast<std::size_t>(window.columns) + 1) > static_cast<std::size_t>(window.rows)) return;
-  header.fail(fmt::format("{} rays are recorded, and a frame of {}x{} pixels has more corners", rays, window.columns,
-                          window.rows),
+  header.fail(fmt::format("{} recorded, and a frame of {}x{} pixels has more corners", counted(rays, "ray"),
+                          window.columns, window.rows),
               "the file has to be as simulate wrote it");
 }
 
@@ -186,9 +187,9 @@ RecordedRun load_recorded_run(const std::filesystem::path& file) {
 void require_same_cycles(const std::string& file, const RecordedRun& recorded, const Outcome& outcome) {
   if (outcome.cycles == recorded.cycles) return;
   throw InputError(
-      fmt::format("{}: its frame took {} cycles, and takes {} when it is made again; a file of this "
+      fmt::format("{}: its frame took {}, and takes {} when it is made again; a file of this "
                   "version's simulate is allowed",
-                  file, recorded.cycles, outcome.cycles));
+                  file, counted(recorded.cycles, "cycle"), outcome.cycles));
 }
 
 Task RecordedRun::on(const hw::MachineSpec& machine) const {

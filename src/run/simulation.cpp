@@ -7,6 +7,7 @@
 
 #include "run/collect_outcome.h"
 #include "run/run_simulation.h"
+#include "text/counted.h"
 
 namespace pyrasim {
 namespace {
@@ -58,8 +59,8 @@ Outcome Simulation::run() {
 }
 
 std::string Simulation::how_far() const {
-  return fmt::format("after {} cycles, {} of {} pixels stored", processor_.cycles(), processor_.frame_buffer().stored(),
-                     image().pixels().size());
+  return fmt::format("after {}, {} of {} stored", counted(processor_.cycles(), "cycle"),
+                     processor_.frame_buffer().stored(), counted(image().pixels().size(), "pixel"));
 }
 
 Outcome simulate(const Run& run, const Scene& scene, const HostOptions& host, const Measure& measure) {

@@ -20,6 +20,7 @@
 #include "mesh/triangulate.h"
 #include "numeric/vectors.h"
 #include "scene/nff_words.h"
+#include "text/counted.h"
 #include "text/printable.h"
 
 namespace pyrasim {
@@ -221,18 +222,17 @@ class NffReader {
 
   void add_warnings() {
     if (transparent_ > 0) {
-      warn(
-          fmt::format("{} of {} materials transmit light (T above 0); they are opaque here", transparent_, materials_));
+      warn(fmt::format(
+          "{} of {} {} opaque here", transparent_, counted(materials_, "material"),
+          of_number(transparent_, "transmits light (T above 0); it is", "transmit light (T above 0); they are")));
     }
     if (without_area_ > 0) {
-      warn(fmt::format("{} polygons without an area were skipped; {} objects are left", without_area_,
-                       scene_.objects.size()));
+      warn(fmt::format("{} without an area {} skipped; {} {} left", counted(without_area_, "polygon"),
+                       of_number(without_area_, "was", "were"), counted(scene_.objects.size(), "object"),
+                       of_number(scene_.objects.size(), "is", "are")));
     }
     if (crossing_ > 0) {
-      warn(
-          fmt::format("{} polygons cross or cover themselves, the first in line {}; what they enclose is not "
-                      "defined, and any triangles may be seen",
-                      crossing_, first_crossing_));
+      warn(crossing_warning(crossing_, first_crossing_));
     }
   }
 

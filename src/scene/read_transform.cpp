@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "surface/reading.h"
+#include "text/counted.h"
 
 namespace pyrasim {
 namespace {
@@ -50,7 +51,7 @@ AffineMap read_step(const JsonReader& reader) {
   reader.allow_keys({"scale", "rotate", "translate", "matrix"});
   const auto members = reader.members();
   if (members.size() != 1) {
-    reader.fail(fmt::format("it has {} members", members.size()), "one of scale, rotate, translate, matrix is allowed");
+    reader.fail("it has " + counted(members.size(), "member"), "one of scale, rotate, translate, matrix is allowed");
   }
   const auto& [name, step] = members[0];
   return mapped_at(step, [&name = name, &step = step] {

@@ -290,7 +290,7 @@ class Commands(tool.EndToEnd):
         self.write("clear.png", png(6, bytes((255, 255, 255, 0, 255, 0, 0, 255))))
         self.write("opaque.png", png(2, bytes((255, 255, 255, 255, 0, 0))))
         self.write("black.png", png(2, bytes((0, 0, 0, 255, 0, 0))))
-        remark = "clear.png: 1 pixels are not opaque; composed over black\n"
+        remark = "clear.png: 1 pixel is not opaque; composed over black\n"
         self.assertEqual(self.ok("compare", "clear.png", "black.png"), remark + "RMSE 0, maximum 0, PSNR inf dB\n")
         self.assertTrue(self.ok("compare", "opaque.png", "clear.png").startswith(remark + "RMSE 0.707107, maximum 1,"))
         self.assertTrue(self.ok("compare", "opaque.png", "black.png").startswith("RMSE 0.707107"))

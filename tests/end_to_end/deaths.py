@@ -37,7 +37,7 @@ class Deaths(tool.EndToEnd):
         for arguments, what in (
                 (["budget", KEEL, *LONG], "the simulation"),
                 (["sweep", KEEL, *LONG, "--reference", "point", "--csv", "out.csv"],
-                 r"4000x3000 pixels, MAX_LEVEL 8, edge mean \(0 of 1 rows done\): its simulation"),
+                 r"4000x3000 pixels, MAX_LEVEL 8, edge mean \(0 of 1 row done\): its simulation"),
                 (["study", "numerics", KEEL, "--size", "2000x1500"],
                  r"double \(0 of 35 rows done\): its simulation")):
             for number, how in ((signal.SIGKILL, out_of_memory), (signal.SIGSEGV, "was ended by SIGSEGV"),

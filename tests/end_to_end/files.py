@@ -158,7 +158,7 @@ class Files(tool.EndToEnd):
     def test_pipes_are_read_once(self):
         scene = json.dumps(tool.scene())
         machine = (MACHINES / "default.json").read_text()
-        self.assertIn("/dev/stdin: a scene of 1 objects", self.run_with_pipe(scene, "check", "/dev/stdin"))
+        self.assertIn("/dev/stdin: a scene of 1 object", self.run_with_pipe(scene, "check", "/dev/stdin"))
         self.assertIn("/dev/stdin: machine default", self.run_with_pipe(machine, "check", "/dev/stdin"))
         file = self.write("file.json", scene)
         for command in ("render", "simulate"):

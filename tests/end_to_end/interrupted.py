@@ -91,10 +91,10 @@ class Interrupted(tool.EndToEnd):
         page = self.write("old.html", "an old file")
         before = self.listing()
         for arguments, how_far in (
-                (["view", "run.ptrace", "-o", "old.html"], "with 0 of 1 runs simulated"),
+                (["view", "run.ptrace", "-o", "old.html"], "with 0 of 1 run simulated"),
                 (["view", "run.ptrace", "run.ptrace", "-o", "-"], "with 0 of 2 runs simulated"),
-                (["whatif", "run.ptrace", "--csv", "new.csv"], "(while RUN was read|with 0 of 1 rows done, in recorded)"),
-                (["whatif", "run.ptrace", "--sensitivity"], "(while RUN was read|with 0 of 1 rows done, in recorded)"),
+                (["whatif", "run.ptrace", "--csv", "new.csv"], "(while RUN was read|with 0 of 1 row done, in recorded)"),
+                (["whatif", "run.ptrace", "--sensitivity"], "(while RUN was read|with 0 of 1 row done, in recorded)"),
                 (["pixel", KEEL, "9,9", "--size", "4000x4000"], r"after \d+ cycles, \d+ of 16000000 pixels stored")):
             for number in (signal.SIGINT, signal.SIGTERM):
                 with self.start(*arguments) as process:

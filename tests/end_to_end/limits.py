@@ -14,9 +14,9 @@ class MaxCycles(tool.EndToEnd):
         for engine in ("decoupled", "lockstep"):
             simulate = ["simulate", *SMALL, "--engine", engine, "-o", "out.png", "--stats"]
             cycles = self.stats("simulate", *SMALL)["machine"]["cycles"]
-            for limit in (1, cycles // 2, cycles - 1):
+            for limit, said in ((1, "1 cycle"), *((number, f"{number} cycles") for number in (cycles // 2, cycles - 1))):
                 self.refused(LIMIT, *simulate, "out.json", "--max-cycles", limit, more_lines=True,
-                             says=f"the frame is not finished within {limit} cycles")
+                             says=f"the frame is not finished within {said}")
             self.ok(*simulate, "out.json", "--max-cycles", cycles, "--trace", "out.vcd")
             self.assertEqual({file.name for file in self.folder.iterdir()}, {"out.png", "out.vcd", "out.json"})
             for file in self.folder.iterdir():

@@ -35,7 +35,7 @@ class Maps(tool.EndToEnd):
 
     def test_the_table_says_what_colours_mean(self):
         said = self.ok("render", *FRAME, "--map", "rays=rays.png")
-        self.assertRegex(said, "map +rays.png: 1 rays a pixel, dark, to [0-9]+, light")
+        self.assertRegex(said, "map +rays.png: 1 ray a pixel, dark, to [0-9]+, light")
 
     def test_the_gallery_shows_every_scene(self):
         page = (tool.SOURCE / "docs" / "gallery.md").read_text()

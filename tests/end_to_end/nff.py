@@ -116,7 +116,7 @@ class Scenes(tool.EndToEnd):
     def test_the_resolution_shows_a_square(self):
         text = VIEW + "f 1 1 1 1 0 0 0 1\ns 0 0 0 1\n"
         self.write("wide.nff", text.replace("32 32", "128 32"))
-        self.assertEqual(self.ok("check", "wide.nff"), "wide.nff: a scene of 1 objects on 128x32 pixels\n")
+        self.assertEqual(self.ok("check", "wide.nff"), "wide.nff: a scene of 1 object on 128x32 pixels\n")
         rows = self.render("wide.nff")
         white = [sum(row[k : k + 12] != bytes(12) for k in range(0, len(row), 12)) for row in rows]
         self.assertAlmostEqual(max(white) / sum(count > 0 for count in white), 4, delta=0.4)

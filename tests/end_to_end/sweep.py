@@ -130,7 +130,7 @@ class Sweep(tool.EndToEnd):
             run = subprocess.run([tool.PYRASIM, "sweep", "/dev/stdin", "--size", "8x6", "--max-level", "0",
                                   "--reference", "none", "--resume", "rows.csv"], input=document, cwd=self.folder,
                                  capture_output=True, text=True, check=False)
-            self.assertIn("0 of 1 rows were in rows.csv", run.stdout, run.stderr)
+            self.assertIn("0 of 1 row were in rows.csv", run.stdout, run.stderr)
 
     def test_values_of_a_setting_are_json(self):
         """A comma inside one separates nothing."""

@@ -214,7 +214,7 @@ class Whatif(tool.EndToEnd):
         header = head[at:].replace(b'"columns":16', b'"columns":9000').replace(b'"rows":12', b'"rows":9000')
         huge = tool.PTRACE_MAGIC + b"".join([b"H", tool.varint_of(len(header)), header, *rest])
         rays = self.points("run.ptrace")[0]["statistics"]["rays"]["total"]
-        self.refuses_damaged(huge, says=f": (root): {rays} rays are recorded, and a frame of 9000x9000 pixels has more corners; the file")
+        self.refuses_damaged(huge, says=f": (root): {rays} rays recorded, and a frame of 9000x9000 pixels has more corners; the file")
 
     def refuses_damaged(self, data, says=": a chunk of it is damaged; it has to be as simulate wrote it"):
         """In little memory."""

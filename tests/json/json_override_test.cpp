@@ -62,7 +62,7 @@ TEST(JsonOverride, MessagesRepeatLittleOfLongTexts) {
   const std::string some = std::string(60, 'w') + "\u2026";
   EXPECT_EQ(override_error("{}", much.c_str()), "--set " + some + ": there is no \"=\"; PATH=VALUE is allowed");
   EXPECT_EQ(override_error("[1]", (much + "=1").c_str()),
-            "--set " + some + ": \"" + some + "\" selects no element; the array has 1 elements, counted from 0");
+            "--set " + some + ": \"" + some + "\" selects no element; the array has 1 element, counted from 0");
   EXPECT_LT(override_error("{}", ("a=\"" + much).c_str()).size(), 350U);
 }
 
@@ -75,9 +75,9 @@ TEST(JsonOverride, RefusesAssignmentsWithoutSense) {
   EXPECT_EQ(override_error(R"({"a":1})", "a.b=1"),
             "--set a.b=1: there is nothing inside to select by \"b\"; only objects and arrays hold other settings");
   EXPECT_EQ(override_error(R"({"a":[1]})", "a.1=1"),
-            "--set a.1=1: \"1\" selects no element; the array has 1 elements, counted from 0");
+            "--set a.1=1: \"1\" selects no element; the array has 1 element, counted from 0");
   EXPECT_EQ(override_error(R"({"a":[1]})", "a.x=1"),
-            "--set a.x=1: \"x\" selects no element; the array has 1 elements, counted from 0");
+            "--set a.x=1: \"x\" selects no element; the array has 1 element, counted from 0");
   EXPECT_EQ(override_error("{}", "a=4x").find("--set a=4x: value:1:2: syntax error"), 0U);
 }
 

@@ -91,7 +91,7 @@ TEST(JsonReader, RefusesWrongKinds) {
   EXPECT_EQ(reader_error(R"({"a": 1.5})", [](const JsonReader& r) { r.member("a").integer({.min = 1}); }),
             "m.json: /a: it is the number 1.5; an integer of at least 1 is allowed");
   EXPECT_EQ(reader_error(R"({"a": 1})", [](const JsonReader& r) { r.member("a").elements(1); }),
-            "m.json: /a: it is the number 1; an array of at least 1 elements is allowed");
+            "m.json: /a: it is the number 1; an array of at least 1 element is allowed");
   EXPECT_EQ(reader_error(R"({"a": [1, 2]})", [](const JsonReader& r) { r.member("a").vec3(); }),
             "m.json: /a: it has 2 elements; an array of 3 numbers is allowed");
   EXPECT_EQ(reader_error(R"({"a": [1, 2, "3"]})", [](const JsonReader& r) { r.member("a").vec3(); }),

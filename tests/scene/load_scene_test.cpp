@@ -178,7 +178,7 @@ TEST_F(LoadScene, OneWarningForAllFacesOfAMeshWithoutAnArea) {
       load(with_camera(small_screen, R"("objects": [{"type": "mesh", "color": [1, 1, 1], "file": "m.obj"}])"));
   ASSERT_EQ(scene.warnings.size(), 1U);
   EXPECT_EQ(scene.warnings[0], (folder() / "s.json").string() + ": /objects/0/file: " + mesh +
-                                   ": 2 faces without an area were skipped; 1 triangles are left");
+                                   ": 2 faces without an area were skipped; 1 triangle is left");
 }
 
 /// Two faces of two materials in two groups, one face of a third group without a material in front.

@@ -153,9 +153,9 @@ TEST_F(LoadNff, WarnsOnceOfEachThing) {
   EXPECT_EQ(warnings("f 1 1 1 0.1 0.9 3 0.9 1.5\nf 1 1 1 1 1 0 1e-3 1\ns 0 0 0 1\n"),
             ": 2 of 3 materials transmit light (T above 0); they are opaque here\n");
   EXPECT_EQ(warnings("p 3\n0 0 0\n1 0 0\n2 0 0\np 4\n0 0 0\n0 0 0\n1 1 1\n1 1 1\ns 0 0 0 1\n"),
-            ": 2 polygons without an area were skipped; 1 objects are left\n");
+            ": 2 polygons without an area were skipped; 1 object is left\n");
   EXPECT_EQ(warnings("p 4\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n"),
-            ": 1 polygons cross or cover themselves, the first in line 13; what they enclose is not defined, and any "
+            ": 1 polygon crosses or covers itself, it is in line 13; what it encloses is not defined, and any "
             "triangles may be seen\n");
 }
 

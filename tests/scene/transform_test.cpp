@@ -173,7 +173,7 @@ TEST_F(Transforms, Mistakes) {
   EXPECT_EQ(with(R"({"scale": 2, "translate": [1, 1, 1]})"),
             at + ": it has 2 members; one of scale, rotate, translate, matrix is allowed");
   EXPECT_EQ(with(R"({"turn": 2})"), at + "/turn: unknown key; allowed keys: scale, rotate, translate, matrix");
-  EXPECT_EQ(with("[]"), at + ": it has 0 elements; an array of at least 1 elements is allowed");
+  EXPECT_EQ(with("[]"), at + ": it has 0 elements; an array of at least 1 element is allowed");
   EXPECT_EQ(with(R"({"scale": [1, 2, 1]})", disc),
             at + ": it would make an ellipse of a disc; moving, turning, mirroring and scaling by the same in all "
                  "directions are allowed");
