@@ -78,6 +78,12 @@ TraceOutputs::TraceOutputs(const TraceOptions& asked, const PixelWindow& rendere
     asked_.push_back({file, &format_of(file)});
     if (asked_.back().format->ending == ".gtkw") plan.writes("--trace", hw::GtkwSave::states_file(file).string());
   }
+  if (asks_for_a_part &&
+      std::none_of(asked_.begin(), asked_.end(), [](const Asked& file) { return file.format->windowed; })) {
+    throw UsageError(
+        "--trace-from, --trace-to, --trace-unit, --trace-pixel and --trace-limit do not apply to .ptrace and .html, "
+        "which are of the whole frame; they go with a --trace FILE of another format");
+  }
 }
 
 void TraceOutputs::open() {

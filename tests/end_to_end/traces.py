@@ -407,6 +407,14 @@ class Traces(tool.EndToEnd):
         for option in (["--trace-from", "3"], ["--trace-to", "3"], ["--trace-limit", "1K"], ["--trace-pixel", "0,0"],
                        ["--trace-unit", "*"]):
             refused(*option, says="go with --trace FILE")
+            for whole in (["x.html"], ["x.ptrace"], ["x.html", "x.ptrace"]):
+                files = [word for file in whole for word in ("--trace", file)]
+                refused(*files, *option, says="do not apply to .ptrace and .html, which are of the whole frame")
+                for part in ("x.vcd", "x.fst", "x.pftrace", "x.json", "x.kanata", "x.gtkw"):
+                    run = self.run_tool("simulate", SCENES / "keel.json", "--size", "4x3", *files, "--trace", part, *option)
+                    self.assertEqual(run.returncode, tool.OK, run.stderr)
+                    for file in [*self.folder.glob("x.*")]:
+                        file.unlink()
 
 
 tool.main()
