@@ -2,6 +2,7 @@
 #include "hw_model/report/pixel_history.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "hw_model/plan/is_one_of.h"
 #include "hw_model/wire.h"
@@ -70,7 +71,8 @@ const Hop* PixelHistory::held_for(const Hop& hop, std::size_t stage) const {
     const bool of_request = other.subject.request != no_number && other.subject.request == hop.subject.request;
     const bool is_controller = is_one_of<SubdivisionController>(*processor_.stages()[stage]);
     if (is_controller ? !same_node : !of_request) continue;
-    if (found == nullptr || found->read < other.read) found = &other;
+    // of two that were read together, a ray and the unit that it went to, the one that came last
+    if (found == nullptr || std::tie(found->read, found->visible) < std::tie(other.read, other.visible)) found = &other;
   }
   return found;
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The trace page says what the statistics say: its data, and what headless Chromium shows of it after real clicks and keys."""
 
+import collections
 import json
 import re
 import shutil
@@ -8,6 +9,7 @@ import subprocess
 import unittest
 
 import tool
+from pixel import RAY, number
 from tool import INPUT, LIMIT, MACHINES, SCENES, USAGE
 from viewers import CHROMIUM, PATIENCE, VIEWERS, node_modules
 
@@ -44,8 +46,12 @@ class Page(tool.EndToEnd):
         self.assertEqual(run.returncode, 0, run.stderr)
         return json.loads(run.stdout)
 
-    def data(self, page="x.html"):
-        return self.node("page_data.cjs", self.folder / page)
+    def data(self, page="x.html", pixels=()):
+        return self.node("page_data.cjs", self.folder / page, *pixels)
+
+    def reported(self, frame, row, column):
+        """The lines of `pyrasim pixel`."""
+        return self.ok("pixel", frame[0], f"{row},{column}", *frame[1:]).splitlines()
 
 
 class Data(Page):
@@ -78,6 +84,36 @@ class Data(Page):
             self.assertEqual(sum(pixel >= 0 for pixel in run["pixelsOfRays"]), sum(run["raysOfPixels"]))
             self.assertTrue(run["scanned"])
             self.assertEqual(run["points"], sorted(run["points"]))
+
+    def test_pixels_are_those_of_pyrasim_pixel(self):
+        """The first, one that was split most, and the last: every stretch of their lives, every date of their rays."""
+        for frame in FRAMES:
+            window = self.paged(frame, "--map", "rays=rays.pfm").get("window")
+            columns, rows, _ = tool.read_pfm(self.folder / "rays.pfm")
+            counts = self.data()[0]["raysOfPixels"]
+            places = (0, counts.index(max(counts)), len(counts) - 1)
+            for place, said in zip(places, self.data(pixels=places)[0]["asked"], strict=True):
+                row, column = (start + at for start, at in zip((window["y"], window["x"]) if window else (0, 0), divmod(place, columns)))
+                with self.subTest(frame, row=row, column=column):
+                    self.check_pixel(said, self.reported(frame, row, column))
+
+    def check_pixel(self, said, lines):
+        begin, end = re.match(r"latency .*: from ([\d,]+), .* to ([\d,]+); ", lines[3]).groups()
+        self.assertEqual((said["from"], said["to"]), (number(begin), number(end)))
+        printed = collections.Counter()
+        for line in lines[lines.index("What it took, by what came last each time:") + 1:]:
+            cycles, what, place = re.fullmatch(r" *([\d,]+) +[\d.]+ %  (waiting in|held by|service of|latency of) (\w+)", line).groups()
+            printed[place, what in ("waiting in", "held by")] += number(cycles)
+        life = collections.Counter()
+        for step in said["life"]:
+            life[step["place"], step["waits"]] += step["cycles"]
+        self.assertEqual(life, printed)
+        printed = {number(match[1]): match for match in map(RAY.match, lines) if match}
+        self.assertEqual({ray["ray"] for ray in said["rays"]}, printed.keys())
+        for ray in said["rays"]:
+            *_, sees, issued, unit, begin, end, seen = printed[ray["ray"]].groups()
+            self.assertEqual([ray[key] for key in ("issued", "from", "to", "seen")], [*map(number, (issued, begin, end, seen))])
+            self.assertEqual((ray["unit"].rsplit("_")[-1], ray["object"] == 0), (unit, sees.startswith("nothing")))
 
     def test_what_rays_see(self):
         """A box that fills the picture's left half: of the corner rays those see it."""

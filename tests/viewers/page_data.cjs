@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads a trace page with the page's own scripts, but without a browser, and prints what it says of each run as JSON.
-// Usage: node page_data.cjs PAGE
+// Usage: node page_data.cjs PAGE [PIXEL...]; of each pixel, by its number in the window, its life and its rays too
 'use strict';
 const fs = require('fs');
 const vm = require('vm');
@@ -14,6 +14,21 @@ const {page} = globalThis;
 
 const runs = contents(/<script type="application\/json" class="run">(.*?)<\/script>/g).map(JSON.parse);
 const columns = contents(/<script type="text\/plain" class="columns">(.*?)<\/script>/g);
+
+/** What the page says of a pixel: the stretches of its life, and when each ray of its tree was where. */
+function reportPixel(run, pixels, pixel) {
+  const rays = new Set([...[0, 1, 2, 3].map(corner => pixels.cornerRay(pixel, corner)), ...pixels.raysOf(pixel)]);
+  return {
+    from: pixels.admitted[pixel], to: pixels.finished[pixel],
+    life: pixels.lifeOf(pixel).map(({unit, fifo, waits, from, to}) =>
+        ({place: (fifo === undefined ? run.units[unit] : run.fifos[fifo]).name, waits: fifo !== undefined || Boolean(waits), cycles: to - from})),
+    rays: [...rays].map(ray => {
+      const way = pixels.wayOfRay(ray), issue = way.findIndex(step => step.unit === pixels.generator && !step.waits);
+      return {ray, point: [run.rays.row[ray], run.rays.column[ray]], object: run.rays.object[ray], issued: way[issue].from,
+              unit: run.units[way[issue + 2].unit].name, from: way[issue + 2].from, to: way.at(-2).to, seen: way.at(-1).to};
+    }),
+  };
+}
 
 function report(run) {
   const times = run.units.map((_, k) => new page.UnitTime(run, k)), fills = run.fifos.map((_, k) => new page.FifoFill(run, k));
@@ -46,6 +61,7 @@ function report(run) {
     pixelsOfRays: Array.from({length: run.rays.count}, (_, ray) => pixels.ofRay(ray)),
     scanned: [...run.units[pixels.scan].subject].every((ray, corner) => ray === pixels.primary[corner]),
     points: pixels.primary.map(ray => [run.rays.row[ray] >>> pixels.maxLevel, run.rays.column[ray] >>> pixels.maxLevel]),
+    asked: process.argv.slice(3).map(pixel => reportPixel(run, pixels, Number(pixel))),
     slowest: page.longestPixels(pixels, 5).map(pixel => [...pixels.placeOf(pixel), pixels.latency(pixel)]),
   };
 }
