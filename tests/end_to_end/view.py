@@ -221,6 +221,23 @@ class Browser(Page):
         self.assertEqual(tabs, ["Longest", "Units", "FIFOs"])
         self.check_tables(units, fifos, document)
 
+    def test_rays_see_what_pyrasim_pixel_says(self):
+        """Objects without a name by their place in the scene, from 0."""
+        near = {"type": "sphere", "center": [10, 1, 0], "radius": 1.5, "color": [1, 1, 1]}
+        self.write("scene.json", tool.scene([{**near, "name": "left"}, {**near, "center": [10, -1, 0]}]))
+        self.paged(["scene.json", "--max-level", "1"])
+        places = [(row, column) for row in range(6) for column in range(8)]
+        steps = [step for row, column in places for step in (
+            ["clickAt", "#picture", (column + 0.5) / 8, (row + 0.5) / 6],
+            ["value", "[...document.querySelectorAll('.tree button.ray')].map(button => button.title)"])]
+        seen = set()
+        for (row, column), titles in zip(places, self.see(steps), strict=True):
+            lines = filter(None, map(RAY.match, self.reported(["scene.json", "--max-level", "1"], row, column)))
+            printed = {f"ray {line[1]}": f"sees {line[5]}" for line in lines}
+            self.assertEqual({re.match(r"ray \d+", title)[0]: title.rsplit(", ")[-1] for title in titles}, printed)
+            seen |= set(printed.values())
+        self.assertEqual(seen, {"sees left", "sees object 1", "sees nothing"})
+
     def test_span(self):
         """A click on a span selects its ray and pixel."""
         document = self.paged(KEEL, "--trace", "x.json")

@@ -126,7 +126,7 @@ class PixelPanel {
   }
   ray(ray, name) {
     const {pixels, run} = this.app.model, object = run.rays.object[ray];
-    const seen = object === 0 ? 'sees nothing' : `sees ${run.header.run.objects[object - 1] || `object ${object}`}`;
+    const seen = object === 0 ? 'sees nothing' : `sees ${run.header.run.objects[object - 1] || `object ${object - 1}`}`;
     return element('li', {}, this.line({ray}, `ray ${ray} ${name}`, seen, pixels.wayOfRay(ray), 'ray'));
   }
   line(subject, text, more, steps, kind) {
