@@ -2,6 +2,7 @@
 #include "hw_model/record/point_table.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace pyrasim::hw {
@@ -18,27 +19,33 @@ PointTable::PointTable(const WorkTable& rows, const PixelWindow& window, int max
       columns_(static_cast<std::uint32_t>(window.columns) + 1),
       begin_(std::size_t{rows_} * columns_ + 1),
       table_(rows.columns()) {
-  struct Entry {
-    std::size_t pixel;
-    const std::uint32_t* row;
+  const auto for_each_row = [&](const auto& visit) {
+    for (std::size_t k = 0; k < rows.rows(); ++k) {
+      const std::size_t pixel = pixel_of(point_of(rows.row(k)));
+      if (pixel + 1 < begin_.size()) visit(pixel, rows.row(k));
+    }
   };
-  std::vector<Entry> entries;
-  entries.reserve(rows.rows());
-  for (std::size_t k = 0; k < rows.rows(); ++k) {
-    const std::size_t pixel = pixel_of(point_of(rows.row(k)));
-    if (pixel + 1 < begin_.size()) entries.push_back({pixel, rows.row(k)});
+  for_each_row([&](std::size_t pixel, const std::uint32_t*) { ++begin_[pixel + 1]; });
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  std::vector<const std::uint32_t*> by_pixel(begin_.back());
+  std::vector<std::uint32_t> next = begin_;
+  for_each_row([&](std::size_t pixel, const std::uint32_t* row) { by_pixel[next[pixel]++] = row; });
+  table_.reserve(by_pixel.size());
+  std::size_t first = 0;
+  for (std::size_t pixel = 0; pixel + 1 < begin_.size(); ++pixel) {
+    const std::size_t end = begin_[pixel + 1];
+    add_sorted(std::span(by_pixel).subspan(first, end - first));
+    first = end;
+    begin_[pixel + 1] = static_cast<std::uint32_t>(table_.rows());
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    if (a.pixel != b.pixel) return a.pixel < b.pixel;
-    return comes_before(point_of(a.row), point_of(b.row));
-  });
-  for (const Entry& entry : entries) {
-    const std::size_t count = table_.rows();
-    if (count > 0 && point_of(table_.row(count - 1)) == point_of(entry.row)) continue;
-    std::copy_n(entry.row, table_.columns(), table_.add_row());
-    begin_[entry.pixel + 1] = static_cast<std::uint32_t>(count + 1);
+}
+
+void PointTable::add_sorted(std::span<const std::uint32_t*> rows) {
+  std::sort(rows.begin(), rows.end(),
+            [](const std::uint32_t* a, const std::uint32_t* b) { return comes_before(point_of(a), point_of(b)); });
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (k == 0 || point_of(rows[k - 1]) != point_of(rows[k])) std::copy_n(rows[k], table_.columns(), table_.add_row());
   }
-  for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] = std::max(begin_[k], begin_[k - 1]);
 }
 
 std::size_t PointTable::pixel_of(GridPoint point) const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "camera/camera.h"
@@ -26,6 +27,8 @@ class PointTable {
   /// The number of the pixel that the point is the upper left corner of, or lies in; the window's right and lower
   /// border belong to pixels of their own. Behind the last one for points outside.
   std::size_t pixel_of(GridPoint point) const;
+  /// Adds a pixel's rows; of equal points one.
+  void add_sorted(std::span<const std::uint32_t*> rows);
 
   unsigned log2_steps_;
   GridPoint first_;  ///< the window's upper left pixel

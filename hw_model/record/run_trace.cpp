@@ -50,11 +50,7 @@ ordered_json contents_document(const SceneContents& contents) {
 }  // namespace
 
 RunTrace::RunTrace(Processor& processor, const ordered_json& run, OutputFile& output)
-    : processor_(processor),
-      writer_(output),
-      ray_columns_(processor.contents()),
-      rays_{ChunkType::rays, WorkTable(ray_columns_.size())},
-      nodes_{ChunkType::nodes, WorkTable(NodeColumns::size)} {
+    : processor_(processor), writer_(output), waiting_(processor.contents()) {
   write_header(run);
   processor.attach(static_cast<WorkSink&>(*this));
 }
@@ -65,37 +61,36 @@ void RunTrace::write_header(const ordered_json& run) {
                             {"contents", contents_document(processor_.contents())},
                             {"stages", stages_document(processor_)},
                             {"fifos", fifos_document(processor_)},
-                            {"columns", {{"rays", ray_columns_.names()}, {"nodes", NodeColumns::names()}}}};
+                            {"columns", {{"rays", waiting_.columns.names()}, {"nodes", NodeColumns::names()}}}};
   writer_.write(ChunkType::header, header.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 void RunTrace::ray(GridPoint point, const Seen& seen, const Work& work) {
-  ray_columns_.write(rays_.table.add_row(), point, seen, work);
-  if (rays_.table.rows() == rows_of_chunk) write(rays_);
+  waiting_.ray(point, seen, work);
+  if (waiting_.rays.rows() == rows_of_chunk) write(ChunkType::rays, waiting_.rays);
 }
 
 void RunTrace::node(const Cell& cell, const TextureWork& work) {
-  if (work == TextureWork()) return;  // most nodes show no texture
-  NodeColumns::write(nodes_.table.add_row(), cell, work);
-  if (nodes_.table.rows() == rows_of_chunk) write(nodes_);
+  waiting_.node(cell, work);
+  if (waiting_.nodes.rows() == rows_of_chunk) write(ChunkType::nodes, waiting_.nodes);
 }
 
-void RunTrace::write(Rows& rows) {
-  if (rows.table.rows() == 0) return;
-  writer_.write(rows.type, rows.table.packed());
-  rows.written += rows.table.rows();
-  rows.table.clear();
+void RunTrace::write(ChunkType type, WorkTable& rows) {
+  if (rows.rows() == 0) return;
+  writer_.write(type, rows.packed());
+  (type == ChunkType::rays ? rays_ : nodes_) += rows.rows();
+  rows.clear();
 }
 
 void RunTrace::finish(Cycle cycles) {
-  write(rays_);
-  write(nodes_);
+  write(ChunkType::rays, waiting_.rays);
+  write(ChunkType::nodes, waiting_.nodes);
   writer_.write(ChunkType::image, encode_png(processor_.image()));
   const DatapathEvents events = processor_.statistics().arithmetic;
   const ordered_json end{{"complete", processor_.complete()},
                          {"cycles", cycles},
-                         {"rays", rays_.written},
-                         {"nodes", nodes_.written},
+                         {"rays", rays_},
+                         {"nodes", nodes_},
                          {"image_sha256", image_sha256(processor_.image())},
                          {"arithmetic",
                           {{"view_vectors", events_document(events.view_vectors)},

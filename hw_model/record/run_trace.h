@@ -4,9 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "hw_model/record/chunk_writer.h"
-#include "hw_model/record/ray_columns.h"
-#include "hw_model/record/work_sink.h"
-#include "hw_model/record/work_table.h"
+#include "hw_model/record/recorded_work.h"
 #include "hw_model/trace/trace.h"
 
 namespace pyrasim::hw {
@@ -23,20 +21,14 @@ class RunTrace final : public Trace, public WorkSink {
   void finish(Cycle cycles) override;
 
  private:
-  /// Rows that wait until they are enough for a chunk.
-  struct Rows {
-    ChunkType type;
-    WorkTable table;
-    std::uint64_t written = 0;
-  };
   void write_header(const nlohmann::ordered_json& run);
-  void write(Rows& rows);
+  void write(ChunkType type, WorkTable& rows);
 
   Processor& processor_;
   ChunkWriter writer_;
-  RayColumns ray_columns_;
-  Rows rays_;
-  Rows nodes_;
+  RecordedWork waiting_;     ///< rows, until they are enough for a chunk
+  std::uint64_t rays_ = 0;   ///< written
+  std::uint64_t nodes_ = 0;  ///< written
 };
 
 }  // namespace pyrasim::hw

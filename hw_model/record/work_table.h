@@ -17,7 +17,9 @@ class WorkTable {
 
   std::size_t columns() const { return columns_; }
   std::size_t rows() const { return values_.size() / columns_; }
+  std::size_t numbers() const { return values_.size(); }
   const std::uint32_t* row(std::size_t number) const { return values_.data() + number * columns_; }
+  void reserve(std::size_t rows) { values_.reserve(rows * columns_); }
   /// A further row, zeros.
   std::uint32_t* add_row() {
     values_.resize(values_.size() + columns_);

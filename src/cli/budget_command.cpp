@@ -29,11 +29,12 @@ struct Change {
   bool met;
   FrameOutcome outcome;  ///< its bottleneck only where the budget is not met
   double fps;
+  BudgetFrame frame;
 };
 
 Change change_to(const std::vector<const BudgetSetting*>& settings, const BudgetFrame& asked,
                  const BudgetFrame& changed, bool met, const FrameOutcome& outcome) {
-  Change change{{}, met, outcome, frames_per_second(changed.run, outcome.cycles)};
+  Change change{{}, met, outcome, frames_per_second(changed.run, outcome.cycles), changed};
   for (const BudgetSetting* setting : settings) {
     change.steps.push_back({setting->name, setting->value(asked), setting->value(changed)});
   }
@@ -41,15 +42,15 @@ Change change_to(const std::vector<const BudgetSetting*>& settings, const Budget
 }
 
 /// The smallest change of the settings that is enough, or how far the largest one of all of them comes.
-Change change_of(const std::vector<const BudgetSetting*>& settings, const BudgetFrame& asked) {
-  const auto enough =
-      settings.size() == 1 ? smallest_change(*settings[0], asked) : smallest_pair(*settings[0], *settings[1], asked);
+Change change_of(const std::vector<const BudgetSetting*>& settings, const BudgetFrame& asked, BudgetFrames& frames) {
+  const auto enough = settings.size() == 1 ? smallest_change(*settings[0], asked, frames)
+                                           : smallest_pair(*settings[0], *settings[1], asked, frames);
   if (enough) return change_to(settings, asked, enough->frame, true, {enough->cycles, {}});
   BudgetFrame largest = asked;
   for (const BudgetSetting* setting : settings) {
     if (setting->can_change(largest)) largest = setting->with(largest, setting->largest_change);
   }
-  return change_to(settings, asked, largest, false, simulate_frame(largest, hw::never));
+  return change_to(settings, asked, largest, false, frames.outcome(largest));
 }
 
 /// What was tried.
@@ -58,25 +59,30 @@ struct Changes {
   std::vector<Change> alone;  ///< of each setting
   std::vector<Change> pairs;  ///< where one alone is not enough
 
-  explicit Changes(const BudgetFrame& asked) : settings(budget_settings(asked)) {
-    alone.push_back(change_of({&settings[0]}, asked));
+  Changes(const BudgetFrame& asked, BudgetFrames& frames) : settings(budget_settings(asked)) {
+    alone.push_back(change_of({&settings[0]}, asked, frames));
     // Where more units do not help, what caps them may have an interval to shorten.
     if (!alone[0].met) {
       if (const auto interval = interval_setting(asked, alone[0].outcome.bottleneck.back().unit)) {
         settings.insert(settings.begin() + 1, *interval);
       }
     }
-    for (std::size_t k = 1; k < settings.size(); ++k) alone.push_back(change_of({&settings[k]}, asked));
+    for (std::size_t k = 1; k < settings.size(); ++k) alone.push_back(change_of({&settings[k]}, asked, frames));
     for (std::size_t k = 0; k < settings.size(); ++k) {
-      for (std::size_t other = k + 1; other < settings.size(); ++other) try_pair(k, other, asked);
+      for (std::size_t other = k + 1; other < settings.size(); ++other) try_pair(k, other, asked, frames);
+    }
+    for (const std::vector<Change>* changes : {&alone, &pairs}) {
+      for (const Change& change : *changes) {
+        if (change.met) frames.confirm(change.frame);
+      }
     }
   }
 
   /// The one that is not enough alone comes first.
-  void try_pair(std::size_t first, std::size_t second, const BudgetFrame& asked) {
+  void try_pair(std::size_t first, std::size_t second, const BudgetFrame& asked, BudgetFrames& frames) {
     if (alone[first].met) std::swap(first, second);
     if (alone[first].met || !settings[first].can_change(asked) || !settings[second].can_change(asked)) return;
-    const Change pair = change_of({&settings[first], &settings[second]}, asked);
+    const Change pair = change_of({&settings[first], &settings[second]}, asked, frames);
     const bool first_helps = !alone[second].met || pair.steps[1].to != alone[second].steps[0].to;
     if (first_helps) pairs.push_back(pair);
   }
@@ -159,15 +165,17 @@ struct BudgetCommand {
     std::optional<TextOutput> statistics;
     if (!stats.empty()) statistics.emplace(stats);
 
+    std::optional<BudgetFrames> frames;
     std::optional<hw::Cycle> cycles;
     std::optional<Changes> changes;
     run_interruptibly(
         [&] {
-          cycles = simulate_frame(asked, machine.max_cycles).cycles;
-          if (*cycles > asked.run.machine.budget()) changes.emplace(asked);
+          frames.emplace(asked);
+          cycles = frames->make_asked(machine.max_cycles);
+          if (*cycles > asked.run.machine.budget()) changes.emplace(asked, *frames);
         },
         [&] { return cycles ? "while changes were tried" : "in the frame as asked for"; });
-    if (statistics) statistics->write(text_of(document(asked, *cycles, changes)));
+    if (statistics) statistics->write(text_of(document(asked, *cycles, changes, *frames)));
     plan.table() << table(asked, *cycles, changes);
   }
 
@@ -189,8 +197,8 @@ struct BudgetCommand {
     return text;
   }
 
-  nlohmann::ordered_json document(const BudgetFrame& asked, hw::Cycle cycles,
-                                  const std::optional<Changes>& changes) const {
+  nlohmann::ordered_json document(const BudgetFrame& asked, hw::Cycle cycles, const std::optional<Changes>& changes,
+                                  const BudgetFrames& frames) const {
     return {{"command", command_line()},
             {"scene", frame.scene},
             {"machine", asked.run.machine.name},
@@ -198,6 +206,8 @@ struct BudgetCommand {
             {"frames_per_second", frames_per_second(asked.run, cycles)},
             {"budget",
              {{"goal_fps", asked.run.machine.goal_fps}, {"cycles", asked.run.machine.budget()}, {"met", !changes}}},
+            {"simulated", frames.simulated()},
+            {"replayed", frames.replayed()},
             {"changes", changes_document(changes ? changes->alone : std::vector<Change>())},
             {"pairs", pairs_document(changes ? changes->pairs : std::vector<Change>())}};
   }

@@ -2,14 +2,12 @@
 #include "cli/budget_search.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
 
 #include "hw_model/machine_settings.h"
-#include "run/executor.h"
 
 namespace pyrasim::cli {
 namespace {
@@ -18,28 +16,9 @@ namespace {
 constexpr int most_units = 256;
 constexpr int most_mhz = 1'000'000;
 
-std::string name_of(const BudgetFrame& frame) {
-  std::vector<std::string> changes;
-  for (const auto& [setting, value] : frame.changed) changes.push_back(fmt::format("{} {}", setting, value));
-  return changes.empty() ? "the simulation" : fmt::format("the simulation with {}", fmt::join(changes, ", "));
-}
-
-/// Of the frame in a process of its own.
-Outcome outcome_of(const BudgetFrame& frame, hw::Cycle max_cycles) {
-  Task task{frame.run, frame.scene};
-  task.run.max_cycles = max_cycles;
-  return execute(task, name_of(frame));
-}
-
-/// The frame's cycles where it keeps to its budget.
-std::optional<hw::Cycle> cycles_within_budget(const BudgetFrame& frame) {
-  const Outcome outcome = outcome_of(frame, frame.run.machine.budget());
-  return outcome.unfinished.empty() ? std::optional(outcome.cycles) : std::nullopt;
-}
-
 /// The clock changes no cycles, so that one simulation tells which one is needed.
-std::optional<EnoughChange> smallest_clock(const BudgetSetting& clock, const BudgetFrame& frame) {
-  const auto cycles = cycles_within_budget(clock.with(frame, clock.largest_change));
+std::optional<EnoughChange> smallest_clock(const BudgetSetting& clock, const BudgetFrame& frame, BudgetFrames& frames) {
+  const auto cycles = frames.cycles_within_budget(clock.with(frame, clock.largest_change), Search::frames);
   if (!cycles) return std::nullopt;
   const double least = std::ceil(static_cast<double>(*cycles) * frame.run.machine.goal_fps / 1e6);
   BudgetFrame changed = clock.with(frame, static_cast<int>(std::min<double>(least, clock.largest_change)));
@@ -70,7 +49,8 @@ BudgetSetting level_setting() {
           .largest_change = 0,
           .get = [](const BudgetFrame& frame) { return frame.run.max_level; },
           .set = [](BudgetFrame& frame, int value) { frame.run.max_level = value; },
-          .value = [](const BudgetFrame& frame) { return std::to_string(frame.run.max_level); }};
+          .value = [](const BudgetFrame& frame) { return std::to_string(frame.run.max_level); },
+          .search = Search::frames};
 }
 
 /// By the screen's columns; the rows follow.
@@ -86,7 +66,8 @@ BudgetSetting size_setting(const Screen& asked) {
           .largest_change = 1,
           .get = [](const BudgetFrame& frame) { return frame.run.screen.columns; },
           .set = set,
-          .value = value};
+          .value = value,
+          .search = Search::frames};
 }
 
 /// None where the unit has none.
@@ -101,12 +82,6 @@ hw::Cycle* interval_of(hw::MachineSpec& spec, const std::string& unit) {
 }
 
 }  // namespace
-
-FrameOutcome simulate_frame(const BudgetFrame& frame, hw::Cycle max_cycles) {
-  const Outcome outcome = outcome_of(frame, max_cycles);
-  require_finished(outcome);
-  return {outcome.cycles, outcome.bottleneck};
-}
 
 BudgetFrame BudgetSetting::with(BudgetFrame frame, int value_of_it) const {
   set(frame, value_of_it);
@@ -134,12 +109,15 @@ std::optional<BudgetSetting> interval_setting(const BudgetFrame& frame, const st
       .value = [get](const BudgetFrame& of) { return std::to_string(get(of)); }};
 }
 
-std::optional<EnoughChange> smallest_change(const BudgetSetting& setting, const BudgetFrame& frame) {
+std::optional<EnoughChange> smallest_change(const BudgetSetting& setting, const BudgetFrame& frame,
+                                            BudgetFrames& frames) {
   if (!setting.can_change(frame)) return std::nullopt;
-  if (setting.keeps_cycles) return smallest_clock(setting, frame);
+  if (setting.keeps_cycles) return smallest_clock(setting, frame, frames);
   int from = setting.get(frame);
   int to = setting.doubles ? std::min(2 * from, setting.largest_change) : setting.largest_change;
-  const auto cycles_at = [&](int value) { return cycles_within_budget(setting.with(frame, value)); };
+  const auto cycles_at = [&](int value) {
+    return frames.cycles_within_budget(setting.with(frame, value), setting.search);
+  };
   std::optional<hw::Cycle> cycles = cycles_at(to);
   while (!cycles && to != setting.largest_change) {
     from = to;
@@ -160,10 +138,10 @@ std::optional<EnoughChange> smallest_change(const BudgetSetting& setting, const 
 }
 
 std::optional<EnoughChange> smallest_pair(const BudgetSetting& first, const BudgetSetting& second,
-                                          const BudgetFrame& frame) {
-  const auto beside_largest = smallest_change(second, first.with(frame, first.largest_change));
+                                          const BudgetFrame& frame, BudgetFrames& frames) {
+  const auto beside_largest = smallest_change(second, first.with(frame, first.largest_change), frames);
   if (!beside_largest) return std::nullopt;
-  return smallest_change(first, second.with(frame, second.get(beside_largest->frame)));
+  return smallest_change(first, second.with(frame, second.get(beside_largest->frame)), frames);
 }
 
 }  // namespace pyrasim::cli

@@ -1,36 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which changes make a frame meet its budget: of one setting, and of two together. All of them are simulated, each in a
-// process of its own.
+// Which changes make a frame meet its budget: of one setting, and of two together.
 #pragma once
 
 #include <functional>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "hw_model/report/bottleneck.h"
-#include "run/run.h"
+#include "cli/budget_frames.h"
 
 namespace pyrasim::cli {
-
-/// A frame on a machine, as asked for or with some settings changed.
-struct BudgetFrame {
-  Run run;
-  std::shared_ptr<const Scene> scene;
-  std::map<std::string, std::string> changed;  ///< settings and their values, to name the frame by
-};
-
-/// How a frame went, and what kept it from being faster: the end of its bottleneck chain.
-struct FrameOutcome {
-  hw::Cycle cycles;
-  std::vector<hw::BottleneckLink> bottleneck;
-};
-
-/// Throws LimitError where the frame is not finished within `max_cycles`.
-FrameOutcome simulate_frame(const BudgetFrame& frame, hw::Cycle max_cycles);
 
 /// A setting that can be changed for speed, in steps of 1.
 struct BudgetSetting {
@@ -39,6 +18,7 @@ struct BudgetSetting {
   std::function<int(const BudgetFrame&)> get;
   std::function<void(BudgetFrame&, int)> set;
   std::function<std::string(const BudgetFrame&)> value;  ///< for people
+  Search search = Search::machines;
   bool doubles = false;       ///< try twice as much first: the largest change is slow to simulate
   bool keeps_cycles = false;  ///< it makes cycles shorter, not fewer
 
@@ -59,11 +39,12 @@ struct EnoughChange {
 
 /// The smallest change of `setting` with which `frame`, which misses its budget, meets it; none where no change of it
 /// is enough. By bisection: the smallest if every larger one is enough too.
-std::optional<EnoughChange> smallest_change(const BudgetSetting& setting, const BudgetFrame& frame);
+std::optional<EnoughChange> smallest_change(const BudgetSetting& setting, const BudgetFrame& frame,
+                                            BudgetFrames& frames);
 
 /// Of two settings: the smallest change of `second` that is enough beside the largest of `first`, and then the smallest
 /// of `first` that is enough beside that. None where both are not enough at their largest.
 std::optional<EnoughChange> smallest_pair(const BudgetSetting& first, const BudgetSetting& second,
-                                          const BudgetFrame& frame);
+                                          const BudgetFrame& frame, BudgetFrames& frames);
 
 }  // namespace pyrasim::cli

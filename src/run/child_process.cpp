@@ -116,7 +116,7 @@ ChildProcess::~ChildProcess() {
 }
 
 bool ChildProcess::receive() {
-  std::array<char, 4096> buffer;
+  std::array<char, 65536> buffer;
   const ssize_t received = read(end_, buffer.data(), buffer.size());
   if (received < 0) return errno != EINTR;
   received_.append(buffer.data(), static_cast<std::size_t>(received));

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "hw_model/record/recorded_work.h"
 #include "run/outcome.h"
 #include "run/process_pool.h"
 #include "run/run.h"
@@ -43,5 +44,14 @@ void execute(const TaskList& list, int at_once);
 
 /// Makes one run; `what` names it. A frame that is not finished is an outcome. Throws likewise.
 Outcome execute(const Task& task, const std::string& what);
+
+/// An outcome, and what the frame's rays and nodes took.
+struct RecordedOutcome {
+  Outcome outcome;
+  std::optional<hw::RecordedWork> work;  ///< none where the frame is not finished, or it would be too many numbers
+};
+
+/// Makes one run likewise, of a task that has its intersector, and records its work in `most` numbers or fewer.
+RecordedOutcome execute_recorded(const Task& task, const std::string& what, std::size_t most);
 
 }  // namespace pyrasim

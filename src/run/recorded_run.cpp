@@ -105,10 +105,23 @@ Content read(const std::filesystem::path& file) {
 }
 
 /// As many as there were, without what they are.
-std::shared_ptr<const Scene> scene_of(const JsonReader& run) {
+std::shared_ptr<const Scene> scene_of(const std::vector<std::string>& objects) {
   Scene scene;
-  for (const std::string& name : read_names(run.member("objects"))) scene.objects.push_back({name, {}, {}});
+  for (const std::string& name : objects) scene.objects.push_back({name, {}, {}});
   return std::make_shared<const Scene>(std::move(scene));
+}
+
+hw::PointTable points_of(const hw::WorkTable& rows, const Run& run) { return {rows, run.rendered(), run.max_level}; }
+
+/// What stands for the scene: `name` in messages, of `textured` objects with a texture.
+void set_work(RecordedRun& recorded, const std::string& name, const SceneContents& contents, hw::PointTable rays,
+              const hw::WorkTable& nodes, std::size_t textured) {
+  const Run& run = recorded.run;
+  if (textured > 0) {
+    recorded.textures = std::make_shared<const hw::RecordedTextures>(textured, points_of(nodes, run));
+  }
+  recorded.intersector = std::make_shared<const hw::RecordedScene>(
+      name, contents, ViewVectors(run.screen, std::int64_t{1} << run.max_level), std::move(rays));
 }
 
 void require_whole(const std::string& name, const Content& content) {
@@ -166,21 +179,22 @@ RecordedRun load_recorded_run(const std::filesystem::path& file) {
   const JsonReader arithmetic = end.member("arithmetic");
   recorded.arithmetic = {read_events(arithmetic.member("view_vectors")),
                          read_events(arithmetic.member("intersection"))};
-  recorded.scene = scene_of(run);
+  recorded.scene = scene_of(read_names(run.member("objects")));
   require_objects(name, content.rays, recorded.scene->objects.size());
   require_rays(header, content.rays.rows(), recorded.run.rendered());
-  const std::size_t textured = size_of(run.member("textured_objects"));
-  const auto points = [&run = recorded.run](const hw::WorkTable& rows) {
-    return hw::PointTable(rows, run.rendered(), run.max_level);
-  };
-  if (textured > 0) {
-    recorded.textures = std::make_shared<const hw::RecordedTextures>(textured, points(content.nodes));
-  }
-  hw::PointTable rays = points(content.rays);
+  hw::PointTable rays = points_of(content.rays, recorded.run);
   require_corners(header, rays, recorded.run);
-  recorded.intersector = std::make_shared<const hw::RecordedScene>(
-      name, content.contents, ViewVectors(recorded.run.screen, std::int64_t{1} << recorded.run.max_level),
-      std::move(rays));
+  set_work(recorded, name, content.contents, std::move(rays), content.nodes, size_of(run.member("textured_objects")));
+  return recorded;
+}
+
+RecordedRun recorded_run(const Run& run, const Scene& scene, const SceneContents& contents, const Outcome& outcome,
+                         const hw::RecordedWork& work) {
+  std::vector<std::string> names;
+  for (const Object& object : scene.objects) names.push_back(object.name);
+  RecordedRun recorded{run, outcome.cycles, outcome.image_sha256, {}, outcome.counts.arithmetic, scene_of(names), {},
+                       {}};
+  set_work(recorded, "the recorded frame", contents, points_of(work.rays, run), work.nodes, textured_objects(scene));
   return recorded;
 }
 

@@ -31,6 +31,10 @@ struct RecordedRun {
 /// that wrote it was another one.
 void require_same_cycles(const std::string& file, const RecordedRun& recorded, const Outcome& outcome);
 
+/// Of a run of `scene` that was just made. Without its picture.
+RecordedRun recorded_run(const Run& run, const Scene& scene, const SceneContents& contents, const Outcome& outcome,
+                         const hw::RecordedWork& work);
+
 /// Reads a .ptrace file. Throws InputError where it is none, is damaged, or was broken off.
 RecordedRun load_recorded_run(const std::filesystem::path& file);
 

@@ -18,9 +18,13 @@ ordered_json run_document(const Run& run, const Scene& scene) {
   if (!run.window) document.erase("window");
   ordered_json& names = document["objects"] = ordered_json::array();
   for (const Object& object : scene.objects) names.push_back(object.name);
-  document["textured_objects"] = std::count_if(scene.objects.begin(), scene.objects.end(),
-                                               [](const Object& object) { return object.texture != nullptr; });
+  document["textured_objects"] = textured_objects(scene);
   return document;
+}
+
+std::size_t textured_objects(const Scene& scene) {
+  return static_cast<std::size_t>(std::count_if(scene.objects.begin(), scene.objects.end(),
+                                                [](const Object& object) { return object.texture != nullptr; }));
 }
 
 namespace {

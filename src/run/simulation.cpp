@@ -43,6 +43,7 @@ Simulation::Simulation(const Run& run, const Scene& scene, const HostOptions& ho
 Simulation::Simulation(const Run& run, const Scene& seen, const HostOptions& host, Seen)
     : intersector_(host.intersector ? host.intersector : make_intersector(seen, run.formats.intersection)),
       processor_("processor", seen, run.machine, options_of(run, host, intersector_)) {
+  if (host.work != nullptr) processor_.attach(*host.work);
   if (host.occupancies) occupancies_.emplace(processor_);
   if (host.critical_path) processor_.attach(critical_path_.emplace(processor_));
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hw_model/processor.h"
+#include "hw_model/record/work_sink.h"
 #include "hw_model/report/critical_path.h"
 #include "hw_model/trace/occupancies.h"
 #include "image/image.h"
@@ -23,8 +24,9 @@ struct HostOptions {
   CostMaps* maps = nullptr;  ///< of what the run renders, to be filled
   /// As in hw::SimulationOptions.
   std::shared_ptr<const hw::RecordedTextures> textures = {};
-  bool occupancies = false;    ///< the outcome says how full FIFOs were over time
-  bool critical_path = false;  ///< and what the frame's time was owed to; costs as much as a trace
+  hw::WorkSink* work = nullptr;  ///< takes what rays and nodes take
+  bool occupancies = false;      ///< the outcome says how full FIFOs were over time
+  bool critical_path = false;    ///< and what the frame's time was owed to; costs as much as a trace
 };
 
 /// A run in this process, in which there can be one: SystemC elaborates once a process. Throws as hw::Processor does.

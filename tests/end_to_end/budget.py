@@ -7,6 +7,7 @@ import json
 import jsonschema
 
 import tool
+from settings import TEXTURED
 from tool import MACHINES, SCENES, SOURCE, USAGE
 
 KEEL = SCENES / "keel.json"
@@ -95,6 +96,33 @@ class Budget(tool.EndToEnd):
             machine = self.stats(*base, *arguments)["machine"]
             self.assertEqual(change["cycles"], machine["cycles"])
             self.assertEqual(change["frames_per_second"], machine["frames_per_second"])
+
+    def test_rays_are_traced_once(self):
+        """Whatever the number of machines that are tried: for the frame as asked for, and for what is proposed."""
+        only_units = [KEEL, "--size", "1x1", "--max-level", 0]  # nothing smaller to try
+        document = self.budget(*only_units, "--fps", 1e6, "--set", "intersection.cost.ray=300")
+        units, clock, level, size = document["changes"]
+        self.assertEqual([change["met"] for change in (units, clock, level, size)], [False, True, False, False])
+        self.assertEqual(document["simulated"], 1)  # a clock changes no cycles
+        self.assertGreaterEqual(document["replayed"], 7)  # 8, 16 ... 256 units, and those of the pair
+
+        document = self.budget(*SMALL, "--fps", 20000)  # each alone is enough
+        sizes = 6  # 32 columns are halved so often
+        self.assertLessEqual(document["simulated"], 1 + sizes + len(document["changes"]))
+        self.assertGreaterEqual(document["replayed"], 4)
+        self.assertEqual(self.budget(*SMALL)["simulated"], 1)
+
+    def test_levels_of_textured_scenes_are_not_those_of_a_higher_one(self):
+        """Their nodes take other places of the texture."""
+        self.write("textured.json", TEXTURED)
+        frame = ["textured.json", "--size", "24x18"]
+        document = self.budget(*frame, "--max-level", 3, "--fps", 5000, "--set", "color_unit.cost.line=40")
+        level = document["changes"][2]
+        self.assertTrue(level["met"], level)
+        simulate = [self.stats("simulate", *frame, "--max-level", int(level["to"]) + more, "--set", "goal_fps=5000",
+                               "--set", "color_unit.cost.line=40")["machine"] for more in (0, 1)]
+        self.assertEqual(level["cycles"], simulate[0]["cycles"])
+        self.assertEqual([machine["budget"]["met"] for machine in simulate], [True, False])
 
     def test_not_enough(self):
         document = self.budget(*SMALL, "--fps", 1e6)
@@ -222,7 +250,7 @@ class Budget(tool.EndToEnd):
 
         first = lambda document: document["changes"][0]
         for change in (
-                drop("command"), drop("cycles"), drop("goal_fps", lambda document: document["budget"]),
+                drop("command"), drop("cycles"), drop("simulated"), drop("replayed"), drop("goal_fps", lambda document: document["budget"]),
                 drop("met", first), drop("cycles", first), drop("changes"),
                 lambda document: document.update(extra=1), lambda document: document.update(cycles=0),
                 lambda document: document.update(cycles=1.5), lambda document: document.update(changes=[]),
