@@ -18,7 +18,11 @@ void RecordedWork::node(const Cell& cell, const TextureWork& work) {
 }
 
 bool RecordedWork::has_room() {
-  whole_ = whole_ && rays.numbers() + nodes.numbers() < most_;
+  if (whole_ && rays.numbers() + nodes.numbers() >= most_) {
+    whole_ = false;
+    rays = WorkTable(rays.columns());
+    nodes = WorkTable(nodes.columns());
+  }
   return whole_;
 }
 

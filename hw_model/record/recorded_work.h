@@ -15,7 +15,7 @@ namespace pyrasim::hw {
 /// Keeps what it takes, as rows of RayColumns and of NodeColumns.
 class RecordedWork final : public WorkSink {
  public:
-  /// Of a scene of `contents`. Of work that takes more than `most` numbers not all is kept.
+  /// Of a scene of `contents`. Of work that takes more than `most` numbers nothing is kept.
   explicit RecordedWork(const SceneContents& contents, std::size_t most = SIZE_MAX);
 
   void ray(GridPoint point, const Seen& seen, const Work& work) override;
@@ -33,7 +33,7 @@ class RecordedWork final : public WorkSink {
   WorkTable nodes;  ///< that took something of textures
 
  private:
-  bool has_room();
+  bool has_room();  ///< for a further row; drops all where there is none
 
   std::size_t most_;
   bool whole_ = true;

@@ -10,6 +10,7 @@
 #include "cli/asked_run.h"
 #include "cli/budget_search.h"
 #include "cli/command.h"
+#include "cli/critical_settings.h"
 #include "cli/machine_options.h"
 #include "cli/output_plan.h"
 #include "cli/statistics_document.h"
@@ -56,7 +57,7 @@ Change change_of(const std::vector<const BudgetSetting*>& settings, const Budget
 /// What was tried.
 struct Changes {
   std::vector<BudgetSetting> settings;
-  std::vector<Change> alone;  ///< of each setting
+  std::vector<Change> alone;  ///< of each setting, and of those that the critical path leads to
   std::vector<Change> pairs;  ///< where one alone is not enough
 
   Changes(const BudgetFrame& asked, BudgetFrames& frames) : settings(budget_settings(asked)) {
@@ -70,6 +71,9 @@ struct Changes {
     for (std::size_t k = 1; k < settings.size(); ++k) alone.push_back(change_of({&settings[k]}, asked, frames));
     for (std::size_t k = 0; k < settings.size(); ++k) {
       for (std::size_t other = k + 1; other < settings.size(); ++other) try_pair(k, other, asked, frames);
+    }
+    for (const BudgetSetting& setting : critical_settings(asked, frames, settings)) {
+      alone.push_back(change_of({&setting}, asked, frames));
     }
     for (const std::vector<Change>* changes : {&alone, &pairs}) {
       for (const Change& change : *changes) {

@@ -14,7 +14,7 @@
 namespace pyrasim::cli {
 namespace {
 
-constexpr std::size_t most_recorded = std::size_t{1} << 26U;  ///< numbers of a recording: 256 MiB
+constexpr std::size_t most_recorded = std::size_t{1} << 25U;  ///< numbers of a recording: 128 MiB
 
 std::string name_of(const BudgetFrame& frame) {
   std::vector<std::string> changes;
@@ -56,6 +56,12 @@ std::optional<hw::Cycle> BudgetFrames::cycles_within_budget(const BudgetFrame& f
 FrameOutcome BudgetFrames::outcome(const BudgetFrame& frame) {
   if (!known(frame).outcome) make(frame, hw::never, Search::frames);
   return *known(frame).outcome;
+}
+
+Outcome BudgetFrames::critical_path(const BudgetFrame& frame) {
+  Task with_path = task(frame, hw::never);
+  with_path.critical_path = true;
+  return execute(with_path, name_of(frame));
 }
 
 void BudgetFrames::confirm(const BudgetFrame& frame) {
@@ -113,20 +119,24 @@ Outcome BudgetFrames::record(const BudgetFrame& frame, hw::Cycle max_cycles) {
   return outcome;
 }
 
-void BudgetFrames::make(const BudgetFrame& frame, hw::Cycle max_cycles, Search search) {
+Task BudgetFrames::task(const BudgetFrame& frame, hw::Cycle max_cycles) {
   const Recording* const recorded = recording(frame);
-  if (recorded == nullptr && search == Search::machines) {
+  const bool replays = recorded != nullptr && recorded->run;
+  ++(replays ? replayed_ : simulated_);
+  return replays ? replay(frame, *recorded->run, max_cycles) : simulation(frame, max_cycles);
+}
+
+void BudgetFrames::make(const BudgetFrame& frame, hw::Cycle max_cycles, Search search) {
+  if (recording(frame) == nullptr && search == Search::machines) {
     record(frame, hw::never);
     return;
   }
-  const bool replays = recorded != nullptr && recorded->run;
-  const Task task = replays ? replay(frame, *recorded->run, max_cycles) : simulation(frame, max_cycles);
-  ++(replays ? replayed_ : simulated_);
-  const Outcome outcome = execute(task, name_of(frame));
+  const std::size_t simulated_before = simulated_;
+  const Outcome outcome = execute(task(frame, max_cycles), name_of(frame));
   Known& frames = known(frame);
   if (outcome.unfinished.empty()) {
     frames.outcome = {outcome.cycles, outcome.bottleneck};
-    frames.simulated = !replays;
+    frames.simulated = simulated_ > simulated_before;
   } else {
     frames.more_than = max_cycles;
   }

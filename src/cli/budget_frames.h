@@ -45,6 +45,8 @@ class BudgetFrames {
   std::optional<hw::Cycle> cycles_within_budget(const BudgetFrame& frame, Search search);
   /// Of the whole frame, without a limit.
   FrameOutcome outcome(const BudgetFrame& frame);
+  /// The whole frame with its critical path. That takes ten times as long.
+  Outcome critical_path(const BudgetFrame& frame);
   /// Simulates a frame that has been replayed only. Throws RunError where that takes other cycles.
   void confirm(const BudgetFrame& frame);
 
@@ -76,6 +78,8 @@ class BudgetFrames {
   const Recording* recording(const BudgetFrame& frame) const;
   Task simulation(const BudgetFrame& frame, hw::Cycle max_cycles) const;
   Outcome record(const BudgetFrame& frame, hw::Cycle max_cycles);
+  /// From recorded work where there is some. Counts it.
+  Task task(const BudgetFrame& frame, hw::Cycle max_cycles);
   void make(const BudgetFrame& frame, hw::Cycle max_cycles, Search search);
 
   BudgetFrame asked_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <type_traits>
 
 #include "hw_model/machine_settings.h"
@@ -12,9 +13,7 @@
 namespace pyrasim::cli {
 namespace {
 
-// What a machine file may say.
-constexpr int most_units = 256;
-constexpr int most_mhz = 1'000'000;
+constexpr int most_mhz = 1'000'000;  ///< that a machine file may say
 
 /// The clock changes no cycles, so that one simulation tells which one is needed.
 std::optional<EnoughChange> smallest_clock(const BudgetSetting& clock, const BudgetFrame& frame, BudgetFrames& frames) {
@@ -23,16 +22,6 @@ std::optional<EnoughChange> smallest_clock(const BudgetSetting& clock, const Bud
   const double least = std::ceil(static_cast<double>(*cycles) * frame.run.machine.goal_fps / 1e6);
   BudgetFrame changed = clock.with(frame, static_cast<int>(std::min<double>(least, clock.largest_change)));
   return EnoughChange{std::move(changed), *cycles};
-}
-
-BudgetSetting units_setting() {
-  return {.name = "intersection.units",
-          .largest_change = most_units,
-          .get = [](const BudgetFrame& frame) { return static_cast<int>(frame.run.machine.intersection_units); },
-          .set = [](BudgetFrame& frame,
-                    int value) { frame.run.machine.intersection_units = static_cast<std::size_t>(value); },
-          .value = [](const BudgetFrame& frame) { return std::to_string(frame.run.machine.intersection_units); },
-          .doubles = true};
 }
 
 BudgetSetting clock_setting() {
@@ -70,15 +59,21 @@ BudgetSetting size_setting(const Screen& asked) {
           .search = Search::frames};
 }
 
-/// None where the unit has none.
-hw::Cycle* interval_of(hw::MachineSpec& spec, const std::string& unit) {
-  hw::Cycle* interval = nullptr;
-  hw::for_each_setting(spec, [&](const std::string& path, auto& setting, const auto&) {
+/// Of a machine, a whole number.
+struct WholeSetting {
+  hw::Cycle* value;
+  int most;
+};
+
+/// None where machines have no such setting.
+std::optional<WholeSetting> whole_setting(hw::MachineSpec& spec, const std::string& path) {
+  std::optional<WholeSetting> found;
+  hw::for_each_setting(spec, [&](const std::string& its_path, auto& setting, const auto& allowed) {
     if constexpr (std::is_same_v<decltype(setting), hw::Cycle&>) {
-      if (path == unit + ".interval") interval = &setting;
+      if (std::string_view(its_path) == path) found = {&setting, static_cast<int>(allowed.max)};
     }
   });
-  return interval;
+  return found;
 }
 
 }  // namespace
@@ -90,23 +85,35 @@ BudgetFrame BudgetSetting::with(BudgetFrame frame, int value_of_it) const {
 }
 
 std::vector<BudgetSetting> budget_settings(const BudgetFrame& frame) {
-  return {units_setting(), clock_setting(), level_setting(), size_setting(frame.run.screen)};
+  return {*machine_setting(frame, "intersection.units"), clock_setting(), level_setting(),
+          size_setting(frame.run.screen)};
+}
+
+std::optional<BudgetSetting> machine_setting(const BudgetFrame& frame, const std::string& path) {
+  hw::MachineSpec of_frame = frame.run.machine;
+  const auto setting = whole_setting(of_frame, path);
+  if (!setting) return std::nullopt;
+  const auto get = [path](const BudgetFrame& of) {
+    hw::MachineSpec spec = of.run.machine;
+    return static_cast<int>(*whole_setting(spec, path)->value);
+  };
+  const auto set = [path](BudgetFrame& of, int value) {
+    *whole_setting(of.run.machine, path)->value = static_cast<hw::Cycle>(value);
+  };
+  return BudgetSetting{.name = path,
+                       .largest_change = setting->most,
+                       .get = get,
+                       .set = set,
+                       .value = [get](const BudgetFrame& of) { return std::to_string(get(of)); },
+                       .doubles = true};
 }
 
 std::optional<BudgetSetting> interval_setting(const BudgetFrame& frame, const std::string& unit) {
-  BudgetFrame copy = frame;
-  const hw::Cycle* interval = interval_of(copy.run.machine, unit);
-  if (interval == nullptr || *interval == 1) return std::nullopt;
-  const auto get = [unit](const BudgetFrame& of) {
-    hw::MachineSpec spec = of.run.machine;
-    return static_cast<int>(*interval_of(spec, unit));
-  };
-  return BudgetSetting{
-      .name = unit + ".interval",
-      .largest_change = 1,
-      .get = get,
-      .set = [unit](BudgetFrame& of, int value) { *interval_of(of.run.machine, unit) = static_cast<hw::Cycle>(value); },
-      .value = [get](const BudgetFrame& of) { return std::to_string(get(of)); }};
+  auto setting = machine_setting(frame, unit + ".interval");
+  if (!setting || setting->get(frame) == 1) return std::nullopt;
+  setting->largest_change = 1;
+  setting->doubles = false;
+  return setting;
 }
 
 std::optional<EnoughChange> smallest_change(const BudgetSetting& setting, const BudgetFrame& frame,

@@ -28,6 +28,8 @@ struct BudgetSetting {
 
 /// Units, clock, MAX_LEVEL and size.
 std::vector<BudgetSetting> budget_settings(const BudgetFrame& frame);
+/// A whole number of the machine, up to what it may be; none where machines have no such setting.
+std::optional<BudgetSetting> machine_setting(const BudgetFrame& frame, const std::string& path);
 /// The initiation interval of a stage of the machine; none where `unit` is no stage that has one above 1.
 std::optional<BudgetSetting> interval_setting(const BudgetFrame& frame, const std::string& unit);
 

@@ -15,6 +15,14 @@ SMALL = [KEEL, "--size", "32x24", "--max-level", "3"]
 SETTINGS = ["intersection.units", "clock_mhz", "max_level", "size"]
 
 
+def words_of(changes):
+    """What makes simulate take them."""
+    options = {"max_level": "--max-level", "size": "--size"}
+    for change in changes:
+        setting, value = change["setting"], change["to"]
+        yield from (options[setting], value) if setting in options else ("--set", f"{setting}={value}")
+
+
 def budget_schema():
     document = json.loads((SOURCE / "docs" / "schemas" / "budget.schema.json").read_text())
     jsonschema.Draft202012Validator.check_schema(document)
@@ -90,10 +98,7 @@ class Budget(tool.EndToEnd):
 
     def test_a_changed_frame_is_that_of_simulate(self):
         for change in self.budget(*SMALL, "--fps", 20000)["changes"]:
-            base = ["simulate", KEEL, "--size", "32x24", "--max-level", 3]
-            option = {"max_level": ["--max-level", change["to"]], "size": ["--size", change["to"]]}
-            arguments = option.get(change["setting"], ["--set", f"{change['setting']}={change['to']}"])
-            machine = self.stats(*base, *arguments)["machine"]
+            machine = self.stats("simulate", *SMALL, *words_of([change]))["machine"]
             self.assertEqual(change["cycles"], machine["cycles"])
             self.assertEqual(change["frames_per_second"], machine["frames_per_second"])
 
@@ -107,8 +112,8 @@ class Budget(tool.EndToEnd):
         self.assertGreaterEqual(document["replayed"], 7)  # 8, 16 ... 256 units, and those of the pair
 
         document = self.budget(*SMALL, "--fps", 20000)  # each alone is enough
-        sizes = 6  # 32 columns are halved so often
-        self.assertLessEqual(document["simulated"], 1 + sizes + len(document["changes"]))
+        sizes = 6  # of 1, 16, 8, 12, 14 and 15 columns
+        self.assertEqual(document["simulated"], 1 + sizes + 2)  # and the units and the level that are proposed
         self.assertGreaterEqual(document["replayed"], 4)
         self.assertEqual(self.budget(*SMALL)["simulated"], 1)
 
@@ -123,6 +128,47 @@ class Budget(tool.EndToEnd):
                                "--set", "color_unit.cost.line=40")["machine"] for more in (0, 1)]
         self.assertEqual(level["cycles"], simulate[0]["cycles"])
         self.assertEqual([machine["budget"]["met"] for machine in simulate], [True, False])
+
+    def further(self, frame, *options):
+        """The changes beside the usual ones, by name."""
+        changes = self.budget(KEEL, *frame, *options)["changes"]
+        for change in changes:
+            machine = self.stats("simulate", KEEL, *frame, *words_of([change]))["machine"]
+            self.assertEqual(change["cycles"], machine["cycles"], change)
+        return {change["setting"]: change for change in changes if change["setting"] not in SETTINGS}
+
+    def test_what_the_critical_path_leads_to(self):
+        """A FIFO that is too shallow for a long latency, found and made no deeper than has to be."""
+        frame = ["--size", "160x120", "--set", "intersection.units=16", "--set", "intersection.latency=200"]
+        fifo = "fifos.intersection_unit_to_pyramid_classifier"
+        found = self.further(frame, "--fps", 3000)
+        self.assertEqual(list(found), [fifo])
+        self.assertTrue(found[fifo]["met"])
+        least = int(found[fifo]["to"])
+        cycles = [self.stats("simulate", KEEL, *frame, "--set", f"{fifo}={depth}")["machine"]["cycles"]
+                  for depth in (least - 1, least)]
+        budget = 200_000_000 // 3000
+        self.assertEqual([of_depth <= budget for of_depth in cycles], [False, True])
+        found = self.further(frame, "--fps", 4000)[fifo]  # twice as deep helps, and no depth is enough
+        self.assertEqual((found["from"], found["to"], found["met"]), ("8", "16", False))
+
+    def test_pools_that_no_path_leads_to(self):
+        for setting, value, fps in (("tree_accumulator.pixels", 1, 3000), ("subdivision_controller.pool", 7, 10000)):
+            found = self.further(["--size", "64x48", "--set", f"{setting}={value}", "--set", "intersection.units=32"],
+                                 "--fps", fps)
+            self.assertTrue(found[setting]["met"], found)
+
+    def test_intervals_beside_units_that_are_enough(self):
+        found = self.further(["--size", "64x48", "--set", "color_unit.interval=6"], "--fps", 3400)
+        self.assertEqual(list(found), ["color_unit.interval"])
+
+    def test_proposed_pairs_are_those_of_simulate(self):
+        frame = ["--size", "64x48", "--set", "view_vector_generator.interval=3"]
+        pairs = [pair for pair in self.budget(KEEL, *frame, "--fps", 30000)["pairs"] if pair["met"]]
+        self.assertGreaterEqual(len(pairs), 4)
+        for pair in pairs:
+            machine = self.stats("simulate", KEEL, *frame, *words_of(pair["changes"]))["machine"]
+            self.assertEqual((pair["cycles"], pair["frames_per_second"]), (machine["cycles"], machine["frames_per_second"]))
 
     def test_not_enough(self):
         document = self.budget(*SMALL, "--fps", 1e6)
@@ -166,13 +212,10 @@ class Budget(tool.EndToEnd):
         alone = {change["setting"]: change for change in document["changes"]}
         self.assertEqual(list(alone), [SETTINGS[0], "view_vector_generator.interval", *SETTINGS[1:]])
         self.assertFalse(alone["intersection.units"]["met"])
-        option = {"max_level": "--max-level", "size": "--size"}
-
         def meets(settings):
-            words = ["--set", "view_vector_generator.interval=3", "--set", f"goal_fps={fps}"]
-            for setting, value in settings.items():
-                words += [option[setting], value] if setting in option else ["--set", f"{setting}={value}"]
-            return self.stats("simulate", *frame, *words)["machine"]["budget"]["met"]
+            words = words_of({"setting": setting, "to": value} for setting, value in settings.items())
+            machine = ["--set", "view_vector_generator.interval=3", "--set", f"goal_fps={fps}"]
+            return self.stats("simulate", *frame, *machine, *words)["machine"]["budget"]["met"]
 
         def smaller(setting, value):
             if setting == "size":

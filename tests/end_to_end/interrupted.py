@@ -174,6 +174,21 @@ class Interrupted(tool.EndToEnd):
             file.unlink()
             self.nothing_changes(before)
 
+    def test_no_temporary_files(self):
+        """What budget records is in no file."""
+        temporary = self.folder / "temporary"
+        temporary.mkdir()
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+            for seconds in (0.2, 1):  # while the frame is recorded, and while it is replayed
+                with subprocess.Popen([tool.PYRASIM, "budget", KEEL, "--size", "800x600", "--fps", "3000"],
+                                      env={**os.environ, "TMPDIR": str(temporary)}, stdout=subprocess.DEVNULL,
+                                      stderr=subprocess.DEVNULL) as process:
+                    time.sleep(seconds)
+                    self.assertEqual(list(temporary.iterdir()), [])
+                    process.send_signal(number)
+                self.assertIn(process.returncode, (-number, 128 + number))
+                self.assertEqual(list(temporary.iterdir()), [])
+
     def test_reading_for_long(self):
         """A mesh of many triangles, and a pipe that delivers nothing."""
         side = 700
