@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <iterator>
@@ -59,6 +60,7 @@ FrameOutcome BudgetFrames::outcome(const BudgetFrame& frame) {
 }
 
 Outcome BudgetFrames::critical_path(const BudgetFrame& frame) {
+  if (recording(frame) == nullptr) record(frame, hw::never);
   Task with_path = task(frame, hw::never);
   with_path.critical_path = true;
   return execute(with_path, name_of(frame));
@@ -105,17 +107,18 @@ Outcome BudgetFrames::record(const BudgetFrame& frame, hw::Cycle max_cycles) {
   Task task = simulation(frame, max_cycles);
   if (!task.intersector) task.intersector = intersector_of(frame);
   ++simulated_;
-  const auto [outcome, work] = execute_recorded(task, name_of(frame), most_recorded);
-  if (outcome.unfinished.empty()) {
-    if (recordings_.size() == 2) recordings_.pop_back();
-    recordings_.push_back({Raster(frame.run), std::nullopt});
-    if (work) {
-      recordings_.back().run = recorded_run(frame.run, *frame.scene, task.intersector->contents(), outcome, *work);
-    }
-    Known& frames = known(frame);
-    frames.outcome = {outcome.cycles, outcome.bottleneck};
-    frames.simulated = true;
+  auto [outcome, work] = execute_recorded(task, name_of(frame), most_recorded);
+  if (!outcome.unfinished.empty()) return outcome;
+  if (recordings_.size() == 2) recordings_.pop_back();
+  recordings_.push_back({Raster(frame.run), std::nullopt});
+  if (work) {
+    recordings_.back().run = recorded_run(frame.run, *frame.scene, task.intersector->contents(), outcome, *work);
+    work.reset();
+    malloc_trim(0);  // every further process would begin with a copy of what this took meanwhile
   }
+  Known& frames = known(frame);
+  frames.outcome = {outcome.cycles, outcome.bottleneck};
+  frames.simulated = true;
   return outcome;
 }
 

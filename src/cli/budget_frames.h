@@ -45,7 +45,7 @@ class BudgetFrames {
   std::optional<hw::Cycle> cycles_within_budget(const BudgetFrame& frame, Search search);
   /// Of the whole frame, without a limit.
   FrameOutcome outcome(const BudgetFrame& frame);
-  /// The whole frame with its critical path. That takes ten times as long.
+  /// The whole frame with its critical path; it is recorded first. The path takes ten times as long.
   Outcome critical_path(const BudgetFrame& frame);
   /// Simulates a frame that has been replayed only. Throws RunError where that takes other cycles.
   void confirm(const BudgetFrame& frame);

@@ -14,7 +14,7 @@ constexpr std::size_t most_predicted = 3;
 constexpr int most_columns = 160;  ///< of a frame whose critical path is asked for
 // Shares of the frame's cycles.
 constexpr double noticeable = 0.05;
-constexpr double worth_doubling = 0.01;
+constexpr double worth_a_try = 0.01;
 
 constexpr std::string_view interval = ".interval";
 
@@ -29,10 +29,9 @@ BudgetFrame small(const BudgetFrame& asked, const std::vector<BudgetSetting>& tr
   return size->get(asked) <= most_columns ? asked : size->with(asked, most_columns);
 }
 
-/// The most is expected of the first.
-std::vector<std::string> promising(const BudgetFrame& asked, BudgetFrames& frames,
+/// Those of which something is expected, the most of the first.
+std::vector<std::string> promising(const BudgetFrame& frame, BudgetFrames& frames,
                                    const std::vector<BudgetSetting>& tried) {
-  const BudgetFrame frame = small(asked, tried);
   const Outcome outcome = frames.critical_path(frame);
   std::vector<std::string> paths;
   const auto add = [&](const std::string& path) {
@@ -57,32 +56,39 @@ bool improves(const BudgetFrame& frame, hw::Cycle before, hw::Cycle after, doubl
 }
 
 /// Doubled for as long as that helps; none where it does not.
-std::optional<BudgetSetting> depth_setting(const BudgetFrame& asked, BudgetFrames& frames, const std::string& path) {
-  auto setting = machine_setting(asked, path);
+std::optional<BudgetSetting> depth_setting(const BudgetFrame& frame, BudgetFrames& frames, const std::string& path) {
+  auto setting = machine_setting(frame, path);
   const int most = setting->largest_change;
-  const int now = setting->largest_change = setting->get(asked);
-  hw::Cycle cycles = frames.outcome(asked).cycles;
+  const int now = setting->largest_change = setting->get(frame);
+  hw::Cycle cycles = frames.outcome(frame).cycles;
   for (int twice = 2 * now; twice > now && twice <= most; twice *= 2) {
-    const hw::Cycle after = frames.outcome(setting->with(asked, twice)).cycles;
-    if (!improves(asked, cycles, after, worth_doubling)) break;
+    const hw::Cycle after = frames.outcome(setting->with(frame, twice)).cycles;
+    if (!improves(frame, cycles, after, worth_a_try)) break;
     setting->largest_change = twice;
     cycles = after;
   }
-  return setting->can_change(asked) ? setting : std::nullopt;
+  return setting->can_change(frame) ? setting : std::nullopt;
+}
+
+/// None where it takes less than that share off the frame's cycles.
+std::optional<BudgetSetting> helping_setting(const BudgetFrame& frame, BudgetFrames& frames, const std::string& path,
+                                             double share) {
+  const auto setting = path.ends_with(interval) ? interval_setting(frame, path.substr(0, path.size() - interval.size()))
+                                                : depth_setting(frame, frames, path);
+  if (!setting) return std::nullopt;
+  const hw::Cycle after = frames.outcome(setting->with(frame, setting->largest_change)).cycles;
+  return improves(frame, frames.outcome(frame).cycles, after, share) ? setting : std::nullopt;
 }
 
 }  // namespace
 
 std::vector<BudgetSetting> critical_settings(const BudgetFrame& asked, BudgetFrames& frames,
                                              const std::vector<BudgetSetting>& tried) {
+  const BudgetFrame first = small(asked, tried);
   std::vector<BudgetSetting> settings;
-  for (const std::string& path : promising(asked, frames, tried)) {
-    const auto setting = path.ends_with(interval)
-                             ? interval_setting(asked, path.substr(0, path.size() - interval.size()))
-                             : depth_setting(asked, frames, path);
-    if (!setting) continue;
-    const hw::Cycle after = frames.outcome(setting->with(asked, setting->largest_change)).cycles;
-    if (improves(asked, frames.outcome(asked).cycles, after, noticeable)) settings.push_back(*setting);
+  for (const std::string& path : promising(first, frames, tried)) {
+    if (!helping_setting(first, frames, path, worth_a_try)) continue;
+    if (const auto setting = helping_setting(asked, frames, path, noticeable)) settings.push_back(*setting);
   }
   return settings;
 }
