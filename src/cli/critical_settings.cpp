@@ -11,7 +11,7 @@ namespace pyrasim::cli {
 namespace {
 
 constexpr std::size_t most_predicted = 3;
-constexpr int most_columns = 160;  ///< of a frame whose critical path is asked for
+constexpr int most_columns = 80;  ///< of a frame whose critical path is asked for
 // Shares of the frame's cycles.
 constexpr double noticeable = 0.05;
 constexpr double worth_a_try = 0.01;
