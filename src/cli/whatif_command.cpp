@@ -86,7 +86,8 @@ struct WhatifCommand {
     for (const SettingAxes::Combination& combination : SettingAxes(changes).combinations) {
       if (combination.assignments.empty()) continue;
       const std::string text = one_line(fmt::format("{}", fmt::join(combination.assignments, " ")));
-      points.push_back({name.empty() ? text : fmt::format("{} {}", name, text), changed_machine(base, combination.assignments)});
+      points.push_back(
+          {name.empty() ? text : fmt::format("{} {}", name, text), changed_machine(base, combination.assignments)});
     }
     return points;
   }
