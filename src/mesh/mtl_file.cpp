@@ -57,7 +57,7 @@ class MtlReader {
     const std::string_view keyword = next_word(line);
     if (keyword.empty()) return;
     if (keyword == "newmtl") {
-      mtl_.materials.push_back({.name = std::string(trimmed(line))});
+      mtl_.materials.emplace_back().name = trimmed(line);
     } else if (keyword == "Kd") {
       material(keyword).color = read_color(line);
     } else if (keyword == "map_Kd") {
