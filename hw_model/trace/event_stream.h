@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hw_model/trace/event.h"
+#include "hw_model/trace/event_lanes.h"
 #include "hw_model/trace/subjects.h"
 
 namespace pyrasim::hw {
@@ -29,10 +30,7 @@ class EventStream {
       for (EventSink* sink : early_sinks_) sink->take(event);
     }
     if (sinks_.empty()) return;
-    Lanes& lanes = lanes_[static_cast<std::size_t>(event.kind)];
-    if (event.source >= lanes.of.size()) lanes.add(event.source);
-    if (lanes.of[event.source].empty()) lanes.next[event.source] = event.at;
-    lanes.of[event.source].push_back(event);
+    lanes_[static_cast<std::size_t>(event.kind)].put(event);
     if (++held_ == 1 && follows_kernel_) next_cycle();
   }
   /// Whether enough is held for a watermark to pay.
@@ -49,25 +47,11 @@ class EventStream {
  private:
   static constexpr std::size_t least_due = 4096;  ///< so that what is left over each time matters little
 
-  /// The events of one kind that are held, by source. Those of a source ascend.
-  struct Lanes {
-    std::vector<std::vector<Event>> of;
-    std::vector<Cycle> next;         ///< the date of the first that has not been released; `never`: there is none
-    std::vector<std::size_t> place;  ///< of that one
-
-    void add(std::size_t source);
-    /// Appends those of a date.
-    void take(Cycle at, std::vector<Event>& events);
-    /// Forgets what has been taken.
-    void tidy();
-  };
-
-  Cycle next_date() const;
   void next_cycle();
 
   std::vector<EventSink*> sinks_;        ///< that take events in order
   std::vector<EventSink*> early_sinks_;  ///< the others
-  std::array<Lanes, 3> lanes_;           ///< by Event::Kind
+  std::array<EventLanes, 3> lanes_;      ///< by Event::Kind
   std::vector<Event> same_date_;         ///< those being released
   std::size_t held_ = 0;                 ///< events
   std::size_t due_at_ = least_due;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <string_view>
 
@@ -121,13 +120,13 @@ void VcdTrace::take_shown(const Event& event) {
 
 void VcdTrace::finish(Cycle cycles) {
   write_before(never);
-  if (!written_) write_values();
   const Cycle end = std::min(cycles, window_.to);
   if (end > *written_) write_date(end);
 }
 
 void VcdTrace::write_before(Cycle date) {
   while (!agenda_.empty() && agenda_.top().at < date) write_changes(agenda_.top().at);
+  if (!written_ && date > window_.from) write_values();  // before it is told what a unit waited for since then
 }
 
 /// A stage that fires in the cycle in which it comes to rest stays busy, a FIFO that gains and loses keeps its fill.
@@ -137,7 +136,7 @@ void VcdTrace::write_changes(Cycle at) {
   while (!agenda_.empty() && agenda_.top().at == at) {
     const std::size_t number = agenda_.top().signal;
     Track& track = tracks_[number];
-    std::array<std::size_t, 6> times{};  // by Change
+    std::array<std::size_t, 6> times{};  // of each Change, in their order
     for (; !agenda_.empty() && agenda_.top().at == at && agenda_.top().signal == number; agenda_.pop()) {
       ++times[static_cast<std::size_t>(agenda_.top().change)];
     }

@@ -190,11 +190,11 @@ struct BudgetCommand {
     std::string text = fmt::format("{} at {}x{} pixels, MAX_LEVEL {}, on machine {}\n{}, {:.1f} frames per second\n",
                                    one_line(frame.scene), screen.columns, screen.rows, asked.run.max_level,
                                    excerpt(asked.run.machine.title()), counted(cycles, "cycle"), reached);
-    text += fmt::format("budget: {} for {} frames per second, {} by {:.1f} %\n",
-                        counted(asked.run.machine.budget(), "cycle"), goal, changes ? "missed" : "met",
-                        100 * std::abs(reached / goal - 1));
+    text += fmt::format("budget: {} for {} {} per second, {} by {:.1f} %\n",
+                        counted(asked.run.machine.budget(), "cycle"), goal, goal == 1 ? "frame" : "frames",
+                        changes ? "missed" : "met", 100 * std::abs(reached / goal - 1));
     if (!changes) return text;
-    text += "\nthe smallest changes that meet it, each alone and simulated:\n" + change_lines(changes->alone);
+    text += "\nthe smallest changes that meet it, each alone:\n" + change_lines(changes->alone);
     if (!changes->pairs.empty()) {
       text += "\nand of two together, where one alone is not enough:\n" + change_lines(changes->pairs);
     }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t most_predicted = 3;
 constexpr int most_columns = 80;  ///< of a frame whose critical path is asked for
+constexpr int most_times = 64;    ///< as deep
 // Shares of the frame's cycles.
 constexpr double noticeable = 0.05;
 constexpr double worth_a_try = 0.01;
@@ -48,36 +49,39 @@ std::vector<std::string> promising(const BudgetFrame& frame, BudgetFrames& frame
   return paths;
 }
 
-/// Whether the frame, which took `before` cycles, takes less by that share, or is within its budget for the first time.
-bool improves(const BudgetFrame& frame, hw::Cycle before, hw::Cycle after, double share) {
-  const hw::Cycle budget = frame.run.machine.budget();
-  return static_cast<double>(after) <= (1 - share) * static_cast<double>(before) ||
-         (after <= budget && before > budget);
+bool less_by(double share, hw::Cycle before, hw::Cycle after) {
+  return static_cast<double>(after) <= (1 - share) * static_cast<double>(before);
 }
 
 /// Doubled for as long as that helps; none where it does not.
 std::optional<BudgetSetting> depth_setting(const BudgetFrame& frame, BudgetFrames& frames, const std::string& path) {
   auto setting = machine_setting(frame, path);
   const int most = setting->largest_change;
-  const int now = setting->largest_change = setting->get(frame);
+  const int now = setting->get(frame);
+  setting->largest_change = now;
   hw::Cycle cycles = frames.outcome(frame).cycles;
-  for (int twice = 2 * now; twice > now && twice <= most; twice *= 2) {
-    const hw::Cycle after = frames.outcome(setting->with(frame, twice)).cycles;
-    if (!improves(frame, cycles, after, worth_a_try)) break;
-    setting->largest_change = twice;
+  for (int times = 2; times <= most_times && times * now <= most; times *= 2) {
+    const hw::Cycle after = frames.outcome(setting->with(frame, times * now)).cycles;
+    if (!less_by(worth_a_try, cycles, after)) break;
+    setting->largest_change = times * now;
     cycles = after;
   }
   return setting->can_change(frame) ? setting : std::nullopt;
 }
 
-/// None where it takes less than that share off the frame's cycles.
-std::optional<BudgetSetting> helping_setting(const BudgetFrame& frame, BudgetFrames& frames, const std::string& path,
-                                             double share) {
-  const auto setting = path.ends_with(interval) ? interval_setting(frame, path.substr(0, path.size() - interval.size()))
-                                                : depth_setting(frame, frames, path);
+/// None where it does not help.
+std::optional<BudgetSetting> helping_setting(const BudgetFrame& frame, BudgetFrames& frames, const std::string& path) {
+  if (!path.ends_with(interval)) return depth_setting(frame, frames, path);
+  auto setting = interval_setting(frame, path.substr(0, path.size() - interval.size()));
   if (!setting) return std::nullopt;
   const hw::Cycle after = frames.outcome(setting->with(frame, setting->largest_change)).cycles;
-  return improves(frame, frames.outcome(frame).cycles, after, share) ? setting : std::nullopt;
+  return less_by(worth_a_try, frames.outcome(frame).cycles, after) ? setting : std::nullopt;
+}
+
+/// Whether its largest change is worth a line: noticeable, or enough.
+bool is_worth_showing(const BudgetSetting& setting, const BudgetFrame& frame, BudgetFrames& frames) {
+  const hw::Cycle after = frames.outcome(setting.with(frame, setting.largest_change)).cycles;
+  return after <= frame.run.machine.budget() || less_by(noticeable, frames.outcome(frame).cycles, after);
 }
 
 }  // namespace
@@ -87,8 +91,8 @@ std::vector<BudgetSetting> critical_settings(const BudgetFrame& asked, BudgetFra
   const BudgetFrame first = small(asked, tried);
   std::vector<BudgetSetting> settings;
   for (const std::string& path : promising(first, frames, tried)) {
-    if (!helping_setting(first, frames, path, worth_a_try)) continue;
-    if (const auto setting = helping_setting(asked, frames, path, noticeable)) settings.push_back(*setting);
+    const auto setting = helping_setting(first, frames, path);
+    if (setting && is_worth_showing(*setting, asked, frames)) settings.push_back(*setting);
   }
   return settings;
 }

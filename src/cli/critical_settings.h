@@ -7,8 +7,9 @@
 
 namespace pyrasim::cli {
 
-/// Of depths, pools and intervals those that make the frame as asked for noticeably faster, up to as far as they do:
-/// the few that its critical path, in a small size, predicts the most of, and the pools, whose use no path foresees.
+/// Of depths, pools and intervals those that make the frame as asked for noticeably faster, up to as far as they make
+/// it so in a small size: the few that its critical path there predicts the most of, and the pools, whose use no path
+/// foresees.
 /// Without those that are `tried`, of which the size is one.
 std::vector<BudgetSetting> critical_settings(const BudgetFrame& asked, BudgetFrames& frames,
                                              const std::vector<BudgetSetting>& tried);

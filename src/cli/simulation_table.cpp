@@ -145,8 +145,8 @@ std::string simulation_table(const Run& run, const Outcome& outcome) {
                       frames_per_second(run, outcome.cycles), spec.clock_mhz);
   text += bottleneck_lines(outcome) + critical_path_lines(outcome) + latency_line(outcome.latency) +
           slowest_pixel_lines(outcome.slowest);
-  text += fmt::format("budget        {:>12}   for {} frames per second: {}\n", grouped(spec.budget()), spec.goal_fps,
-                      met ? "met" : "missed");
+  text += fmt::format("budget        {:>12}   for {} {} per second: {}\n", grouped(spec.budget()), spec.goal_fps,
+                      spec.goal_fps == 1 ? "frame" : "frames", met ? "met" : "missed");
   return text;
 }
 

@@ -65,7 +65,7 @@ class Budget(tool.EndToEnd):
     def test_missed(self):
         text = self.ok("budget", *SMALL, "--fps", 20000)
         self.assertIn("budget: 10000 cycles for 20000 frames per second, missed by", text)
-        rows = [line.split() for line in text.split("simulated:\n")[1].splitlines()]
+        rows = [line.split() for line in text.split("each alone:\n")[1].splitlines()]
         document = self.budget(*SMALL, "--fps", 20000)
         self.assertEqual([row[0] for row in rows], SETTINGS)
         for row, change in zip(rows, document["changes"]):

@@ -9,6 +9,7 @@ import signal
 import struct
 import subprocess
 import time
+from random import Random
 
 import tool
 from tool import MACHINES, SCENES, USAGE
@@ -294,11 +295,7 @@ class Traces(tool.EndToEnd):
                 self.assertEqual(found, sums)
 
     def test_windows_of_vcd(self):
-        """What is shown of the window is what the whole trace shows there."""
-        from_to = ["--trace-from", "1000", "--trace-to", "2500"]
-        self.ok("simulate", *FRAMES[0], "--trace", "whole.vcd")
-        self.ok("simulate", *FRAMES[0], "--trace", "part.vcd", *from_to, "--trace-unit", "[!s]*")
-
+        """What is shown of a window is what the whole trace shows there, however little happens before and in it."""
         def changes(name):
             header, body = (self.folder / name).read_text().split("$enddefinitions $end\n")
             codes = {words[3]: words[4] for words in map(str.split, header.splitlines()) if words[:1] == ["$var"]}
@@ -308,20 +305,32 @@ class Traces(tool.EndToEnd):
                     now = int(line[1:]) // 5  # of 200 MHz, in ns
                 elif line.startswith("b"):
                     bits, code = line[1:].split()
-                    values[codes[code]][now] = int(bits, 2)
+                    values[codes[code]][now] = bits.lstrip("0")
             return values, now
 
-        def values(changes):
+        def values(changes, first, last):
             """In each cycle of the window."""
-            now = changes[max(date for date in changes if date <= 1000)]
-            return [now := changes.get(at, now) for at in range(1000, 2500)]
+            now = changes[max(date for date in changes if date <= first)]
+            return [now := changes.get(at, now) for at in range(first, last)]
 
-        (whole, _), (part, end) = changes("whole.vcd"), changes("part.vcd")
-        self.assertEqual(end, 2500)
-        self.assertEqual(set(part), {name for name in whole if not name.startswith("s")})
-        for name, its in part.items():
-            self.assertEqual(min(its), 1000)
-            self.assertEqual(values(its), values(whole[name]), name)
+        def check(first, last, *patterns):
+            self.ok("simulate", *FRAMES[0], "--trace", "part.vcd", "--trace-from", first, "--trace-to", last,
+                    "--trace-detail", *(word for pattern in patterns for word in ("--trace-unit", pattern)))
+            part, end = changes("part.vcd")
+            self.assertEqual(end, last)
+            for name, its in part.items():
+                self.assertEqual(min(its), first)
+                self.assertEqual(values(its, first, last), values(whole[name], first, last), (first, name))
+            return set(part)
+
+        self.ok("simulate", *FRAMES[0], "--trace", "whole.vcd", "--trace-detail")
+        whole, end = changes("whole.vcd")
+        self.assertEqual(check(1000, 2500, "[!s]*"), {name for name in whole if not name.startswith("s")})
+        random = Random(7)
+        for name in ("tree_accumulator", "pyramid_classifier", "pixel_scan", "subdivision_controller", "frame_buffer"):
+            for _ in range(5):
+                first = random.randrange(end - 50)
+                self.assertEqual(check(first, first + 50, name), {name + suffix for suffix in ("", "_row", "_column", "_ray")})
 
     def broken_off(self, number):
         """A run that a signal ends; its traces by ending."""
