@@ -43,13 +43,13 @@ class Written final : public Trace {
 
 }  // namespace
 
-const std::array<TraceFormat, 8> trace_formats{{{".vcd", true, true, make<VcdTrace>},
-                                                {".fst", true, true, make<FstTrace>},
-                                                {".pftrace", false, true, make<Written<PerfettoTrace>>},
-                                                {".json", false, true, make<Written<ChromeTrace>>},
-                                                {".kanata", false, true, make<KanataTrace>},
-                                                {".gtkw", false, true, make<GtkwSave>},
-                                                {".ptrace", false, false, make_of_run<RunTrace>},
-                                                {".html", true, false, make_of_run<PageTrace>}}};
+const std::array<TraceFormat, 8> trace_formats{{{".vcd", true, true, true, make<VcdTrace>},
+                                                {".fst", true, true, true, make<FstTrace>},
+                                                {".pftrace", false, false, true, make<Written<PerfettoTrace>>},
+                                                {".json", false, false, true, make<Written<ChromeTrace>>},
+                                                {".kanata", false, false, true, make<KanataTrace>},
+                                                {".gtkw", false, true, true, make<GtkwSave>},
+                                                {".ptrace", false, false, false, make_of_run<RunTrace>},
+                                                {".html", true, false, false, make_of_run<PageTrace>}}};
 
 }  // namespace pyrasim::hw

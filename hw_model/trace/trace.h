@@ -27,6 +27,7 @@ class Trace {
 struct TraceFormat {
   std::string_view ending;  ///< of files' names
   bool revises;             ///< what has been written may be overwritten, and is no file before it is complete
+  bool waveform;            ///< it shows Signals, in detail where the window asks for that
   bool windowed;            ///< it shows what the window does; else the whole frame
   /// Of `processor`, whose simulation has not started, and which outlives it as `output` does. `run` describes scene
   /// and settings, for formats that say what was run.

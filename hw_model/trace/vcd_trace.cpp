@@ -181,10 +181,7 @@ void VcdTrace::write_state(Track& track) {
   output_.write(track.end);
 }
 
-void VcdTrace::write_fill(const Track& track) {
-  std::array<char, 80> buffer;
-  output_.write(line(buffer, 'b', track.fill, 2, track.end));
-}
+void VcdTrace::write_fill(const Track& track) { write_number(track.fill, track.end); }
 
 void VcdTrace::set_subject(std::size_t stage, Cycle at) {
   const Subject& subject = subjects_[stage];
@@ -209,13 +206,17 @@ void VcdTrace::set(Value& value, std::uint64_t number, Cycle at) {
 }
 
 void VcdTrace::write_value(const Value& value) {
-  if (value.number == no_number) {
-    output_.write("bx");
-    output_.write(value.end);
+  if (value.number != no_number) {
+    write_number(value.number, value.end);
     return;
   }
+  output_.write("bx");
+  output_.write(value.end);
+}
+
+void VcdTrace::write_number(std::uint64_t number, const std::string& end) {
   std::array<char, 80> buffer;
-  output_.write(line(buffer, 'b', value.number, 2, value.end));
+  output_.write(line(buffer, 'b', number, 2, end));
 }
 
 }  // namespace pyrasim::hw

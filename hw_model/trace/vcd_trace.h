@@ -83,6 +83,7 @@ class VcdTrace final : public Trace, public WindowedSink {
   void set_handshake(std::size_t fifo, Cycle at);
   void set(Value& value, std::uint64_t number, Cycle at);
   void write_value(const Value& value);
+  void write_number(std::uint64_t number, const std::string& end);
 
   Processor& processor_;
   TraceWindow window_;

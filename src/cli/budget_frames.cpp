@@ -103,6 +103,11 @@ const BudgetFrames::Recording* BudgetFrames::recording(const BudgetFrame& frame)
   return found != recordings_.end() ? &*found : nullptr;
 }
 
+const RecordedRun* BudgetFrames::recorded_work(const BudgetFrame& frame) const {
+  const Recording* const found = recording(frame);
+  return found != nullptr && found->run ? &*found->run : nullptr;
+}
+
 Outcome BudgetFrames::record(const BudgetFrame& frame, hw::Cycle max_cycles) {
   Task task = simulation(frame, max_cycles);
   if (!task.intersector) task.intersector = intersector_of(frame);
@@ -123,10 +128,9 @@ Outcome BudgetFrames::record(const BudgetFrame& frame, hw::Cycle max_cycles) {
 }
 
 Task BudgetFrames::task(const BudgetFrame& frame, hw::Cycle max_cycles) {
-  const Recording* const recorded = recording(frame);
-  const bool replays = recorded != nullptr && recorded->run;
-  ++(replays ? replayed_ : simulated_);
-  return replays ? replay(frame, *recorded->run, max_cycles) : simulation(frame, max_cycles);
+  const RecordedRun* const work = recorded_work(frame);
+  ++(work != nullptr ? replayed_ : simulated_);
+  return work != nullptr ? replay(frame, *work, max_cycles) : simulation(frame, max_cycles);
 }
 
 void BudgetFrames::make(const BudgetFrame& frame, hw::Cycle max_cycles, Search search) {
@@ -134,12 +138,11 @@ void BudgetFrames::make(const BudgetFrame& frame, hw::Cycle max_cycles, Search s
     record(frame, hw::never);
     return;
   }
-  const std::size_t simulated_before = simulated_;
   const Outcome outcome = execute(task(frame, max_cycles), name_of(frame));
   Known& frames = known(frame);
   if (outcome.unfinished.empty()) {
     frames.outcome = {outcome.cycles, outcome.bottleneck};
-    frames.simulated = simulated_ > simulated_before;
+    frames.simulated = recorded_work(frame) == nullptr;
   } else {
     frames.more_than = max_cycles;
   }

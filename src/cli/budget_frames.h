@@ -76,6 +76,8 @@ class BudgetFrames {
   Known& known(const BudgetFrame& frame);
   /// From which the frame could be made; null where there is none.
   const Recording* recording(const BudgetFrame& frame) const;
+  /// What the frame can be replayed from; null where it has to be simulated.
+  const RecordedRun* recorded_work(const BudgetFrame& frame) const;
   Task simulation(const BudgetFrame& frame, hw::Cycle max_cycles) const;
   Outcome record(const BudgetFrame& frame, hw::Cycle max_cycles);
   /// From recorded work where there is some. Counts it.

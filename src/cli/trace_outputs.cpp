@@ -65,10 +65,7 @@ TraceOutputs::TraceOutputs(const TraceOptions& asked, const PixelWindow& rendere
   if (asks_for_a_part && asked.files.empty()) {
     throw UsageError("--trace-from, --trace-to, --trace-unit, --trace-pixel and --trace-limit go with --trace FILE");
   }
-  const auto shows_signals = [](const std::string& file) {
-    const std::string_view ending = format_of(file).ending;
-    return ending == ".vcd" || ending == ".fst" || ending == ".gtkw";
-  };
+  const auto shows_signals = [](const std::string& file) { return format_of(file).waveform; };
   if (window_.detail && std::none_of(asked.files.begin(), asked.files.end(), shows_signals)) {
     throw UsageError("--trace-detail goes with --trace FILE.vcd, FILE.fst or FILE.gtkw");
   }
